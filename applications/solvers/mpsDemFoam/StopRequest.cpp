@@ -1,0 +1,66 @@
+#include "mpsDemFoam/StopRequest.h"
+
+#include <csignal>
+
+#include "core/Log.h"
+#include "scene/Scene.h"
+
+namespace mpsDem {
+
+namespace {
+
+std::sig_atomic_t volatile writeAsked = 0;
+std::sig_atomic_t volatile stopAsked = 0;
+
+extern "C" void askWrite(int) { writeAsked = 1; }
+extern "C" void askStop(int) { stopAsked = 1; }
+
+} // namespace
+
+StopRequest::StopRequest(std::filesystem::path caseRoot) : root_(std::move(caseRoot))
+{
+    std::signal(SIGUSR1, askWrite);
+    for (int const signal : {SIGUSR2, SIGTERM, SIGINT}) std::signal(signal, askStop);
+    controlTime_ = std::filesystem::last_write_time(root_ / "system" / "controlDict");
+    controlSize_ = std::filesystem::file_size(root_ / "system" / "controlDict");
+}
+
+void StopRequest::serve(Scene& scene, double clockSeconds)
+{
+    if (std::filesystem::remove(root_ / "stop")) stopAsked = 1;
+    Real const budget = scene.time().maxClockTime();
+    if (budget > 0 && clockSeconds > budget) stopAsked = 1;
+    rereadControl(scene);
+    if (writeAsked)
+    {
+        writeAsked = 0;
+        scene.writeFields();
+        scene.askCheckpoint();
+    }
+    if (stopAsked || scene.time().stopping()) scene.askStop();
+    scene.serveCheckpoint();
+}
+
+void StopRequest::rereadControl(Scene& scene)
+{
+    std::filesystem::path const file = root_ / "system" / "controlDict";
+    std::error_code error;
+    auto const time = std::filesystem::last_write_time(file, error);
+    auto const size = std::filesystem::file_size(file, error);
+    if (error || (time == controlTime_ && size == controlSize_)) return;
+    controlTime_ = time;
+    controlSize_ = size;
+    try
+    {
+        Dictionary const dict = Dictionary::fromFile(file, root_);
+        dict.requireHeader();
+        scene.time().reread(dict);
+        info() << "Re-read system/controlDict: endTime = " << scene.time().endTime() << '\n' << std::endl;
+    }
+    catch (CaseError const& wrong)
+    {
+        warn(std::string("system/controlDict was edited but is not valid, so nothing is changed: ") + wrong.what());
+    }
+}
+
+} // namespace mpsDem

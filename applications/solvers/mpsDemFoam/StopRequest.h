@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+namespace mpsDem {
+
+class Scene;
+
+/// What a user asks of a running case, served between two steps:
+///   SIGUSR1                          writes fields and state, goes on
+///   SIGUSR2, SIGTERM, SIGINT         writes the state and stops (exit code 3)
+///   a file `stop` in the case folder the same; the file is removed
+///   maxClockTime of controlDict      the same
+///   an edited controlDict            endTime, writeInterval and stopAt are taken over, a broken one is warned of and ignored
+class StopRequest
+{
+public:
+    /// Installs the signal handlers, which only set a flag.
+    explicit StopRequest(std::filesystem::path caseRoot);
+    void serve(Scene& scene, double clockSeconds);
+
+private:
+    void rereadControl(Scene& scene);
+
+    std::filesystem::path root_;
+    std::filesystem::file_time_type controlTime_;
+    std::uintmax_t controlSize_;
+};
+
+} // namespace mpsDem

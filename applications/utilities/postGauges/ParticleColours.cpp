@@ -1,0 +1,56 @@
+#include "postGauges/ParticleColours.h"
+
+#include <map>
+
+#include "postGauges/Text.h"
+
+namespace mpsDem::postGauges {
+
+namespace {
+
+/// Evenly spaced support points of each map.
+std::map<std::string, std::vector<std::string>> const& palettes()
+{
+    static std::map<std::string, std::vector<std::string>> const maps = {
+        {"viridis", {"#440154", "#472c7a", "#3b518b", "#2c718e", "#21908d", "#27ad81", "#5cc863", "#aadc32", "#fde725"}},
+        {"plasma", {"#0d0887", "#47039f", "#7301a8", "#9c179e", "#bd3786", "#d8576b", "#ed7953", "#fa9e3b", "#fdc926", "#f0f921"}},
+        {"cividis", {"#00224e", "#123570", "#3b496c", "#575d6d", "#707173", "#8a8678", "#a59c74", "#c3b369", "#e1cc55", "#fee838"}},
+        {"coolWarm", {"#3b4cc0", "#6788ee", "#9abbff", "#c9d7f0", "#dddddd", "#f2cbb7", "#f7a889", "#e26952", "#b40426"}},
+        {"grey", {"#202020", "#f0f0f0"}}};
+    return maps;
+}
+
+} // namespace
+
+std::vector<std::string> paletteNames()
+{
+    std::vector<std::string> names;
+    for (auto const& [name, colours] : palettes()) names.push_back(name);
+    return names;
+}
+
+std::string paletteCommand(std::string const& name)
+{
+    std::string command = "set palette defined (";
+    int place = 0;
+    for (std::string const& colour : palettes().at(name))
+        command += (place > 0 ? ", " : "") + std::to_string(place) + " '" + colour + "'", ++place;
+    return command + ")\n";
+}
+
+std::string fieldLabel(std::string const& field)
+{
+    static std::map<std::string, std::string> const labels = {{"p", "p [Pa]"},     {"magU", "|U| [m/s]"}, {"Ux", "U_x [m/s]"},
+                                                              {"Uy", "U_y [m/s]"}, {"Uz", "U_z [m/s]"},   {"n", "n / n_0 [-]"}};
+    auto const found = labels.find(field);
+    return found == labels.end() ? plain(field) : found->second;
+}
+
+std::vector<ParticleCategory> particleCategories(std::string const& field)
+{
+    if (field == "type")
+        return {{3, "ghost rows", "#c4c4c4"}, {0, "fluid", "#9ecae9"}, {2, "wall, dry (ghost)", "#222222"}, {1, "wall", "#d55e00"}};
+    return {{0, "interior", "#9ecae9"}, {2, "near the surface", "#009e73"}, {1, "free surface", "#d55e00"}};
+}
+
+} // namespace mpsDem::postGauges

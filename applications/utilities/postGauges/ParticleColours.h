@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace mpsDem::postGauges {
+
+/// Names of the colour maps.
+std::vector<std::string> paletteNames();
+
+/// gnuplot's `set palette` command for one of them. viridis, plasma and cividis change evenly to the eye; coolWarm has a neutral middle,
+/// for values of both signs.
+std::string paletteCommand(std::string const& name);
+
+/// Text at the colour bar for a known field ("p [Pa]"), else the field's name.
+std::string fieldLabel(std::string const& field);
+
+/// Values, words and colours of the fields `type` and `surface`.
+struct ParticleCategory
+{
+    int value;
+    std::string label;
+    std::string colour;
+};
+std::vector<ParticleCategory> particleCategories(std::string const& field);
+
+} // namespace mpsDem::postGauges

@@ -1,0 +1,112 @@
+#include "postGauges/TimeSelection.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "postGauges/Text.h"
+
+namespace mpsDem::postGauges {
+
+namespace {
+
+constexpr Real roundOff = 1e-6; ///< Relative: written times carry that many digits at least.
+
+std::optional<Real> parseNumber(std::string_view word)
+{
+    Real value = 0;
+    auto const [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    bool const whole = error == std::errc() && end == word.data() + word.size() && std::isfinite(value);
+    return whole ? std::optional<Real>(value) : std::nullopt;
+}
+
+Real requireNumber(std::string_view word, std::string const& ranges)
+{
+    auto const value = parseNumber(word);
+    require(value.has_value(), {}, "-time: \"" + std::string(word) + "\" in \"" + ranges + "\" is no time",
+            "numbers and ranges parted by commas: 0.5,1:2,4:");
+    return *value;
+}
+
+/// Distance that a written time may have from the one asked for: half of the longest interval beside it.
+Real tolerance(std::vector<Real> const& times, std::size_t i)
+{
+    Real gap = 0;
+    if (i > 0) gap = std::max(gap, times[i] - times[i - 1]);
+    if (i + 1 < times.size()) gap = std::max(gap, times[i + 1] - times[i]);
+    return 0.5 * gap + roundOff * std::max(1.0, std::abs(times[i]));
+}
+
+void addRange(std::set<std::size_t>& chosen, std::vector<Real> const& times, Real from, Real to)
+{
+    for (std::size_t i = 0; i < times.size(); ++i)
+    {
+        Real const slack = roundOff * std::max(1.0, std::abs(times[i]));
+        if (times[i] >= from - slack && times[i] <= to + slack) chosen.insert(i);
+    }
+}
+
+} // namespace
+
+std::string timesText(std::vector<Real> const& times)
+{
+    if (times.empty()) return "none";
+    std::string text;
+    std::size_t const shown = times.size() <= 6 ? times.size() : 3;
+    for (std::size_t i = 0; i < shown; ++i) text += (i > 0 ? ", " : "") + number(times[i]);
+    if (shown < times.size()) text += " ... " + number(times.back());
+    return text + " (" + std::to_string(times.size()) + (times.size() == 1 ? " time)" : " times)");
+}
+
+std::size_t nearestTime(std::vector<Real> const& times, Real wanted, Location const& where)
+{
+    auto const nearer = [&](Real a, Real b) { return std::abs(a - wanted) < std::abs(b - wanted); };
+    auto const best = static_cast<std::size_t>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
+    bool const near = !times.empty() && std::abs(times[best] - wanted) <= tolerance(times, best);
+    require(near, where, "nothing was written at time " + number(wanted) + " s", "written times: " + timesText(times));
+    return best;
+}
+
+std::vector<std::size_t> timesInRanges(std::vector<Real> const& times, std::string const& ranges)
+{
+    std::set<std::size_t> chosen;
+    std::string_view left = ranges;
+    while (!left.empty())
+    {
+        std::size_t const end = std::min(left.find_first_of(", "), left.size());
+        std::string_view const word = left.substr(0, end);
+        left.remove_prefix(std::min(end + 1, left.size()));
+        if (word.empty()) continue;
+        std::size_t const colon = word.find(':');
+        if (colon == std::string_view::npos)
+        {
+            chosen.insert(nearestTime(times, requireNumber(word, ranges), {}));
+            continue;
+        }
+        constexpr Real unbounded = std::numeric_limits<Real>::infinity();
+        Real const from = colon == 0 ? -unbounded : requireNumber(word.substr(0, colon), ranges);
+        Real const to = colon + 1 == word.size() ? unbounded : requireNumber(word.substr(colon + 1), ranges);
+        addRange(chosen, times, from, to);
+    }
+    require(!chosen.empty(), {}, "-time: no written time in \"" + ranges + "\"", "written times: " + timesText(times));
+    return {chosen.begin(), chosen.end()};
+}
+
+std::vector<std::size_t> chooseTimes(std::vector<Real> const& times, TimeOptions const& options, std::vector<Real> const& wanted,
+                                     Location const& where)
+{
+    require(!times.empty(), where, "nothing has been written yet", "run the solver first");
+    if (options.latest) return {times.size() - 1};
+    if (!options.ranges.empty()) return timesInRanges(times, options.ranges);
+    std::vector<std::size_t> chosen;
+    for (Real const time : wanted) chosen.push_back(nearestTime(times, time, where));
+    if (!wanted.empty()) return chosen;
+    for (std::size_t i = 0; i < times.size(); ++i) chosen.push_back(i);
+    return chosen;
+}
+
+} // namespace mpsDem::postGauges

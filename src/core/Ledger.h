@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "core/State.h"
+#include "core/Types.h"
+
+namespace mpsDem {
+
+/// Running sums that the stages of a step keep for budgets, by name: energies [J] and impulses [N s].
+///
+/// A stage asks for its entry once, in its constructor, and adds to it. A budget reads whatever entries exist, so an effect that is off has none.
+///   energy:  "energy/collision", "energy/shifting", "energy/viscosity", "energy/contactDissipated", "energy/contactStored", ...
+///   impulse: "impulse/gravity", "impulse/walls", "impulse/contact", ... (external impulse on water plus bodies)
+class Ledger
+{
+public:
+    /// The entry `name`, zero when new; the reference stays valid.
+    Vector& impulse(std::string const& name) { return impulses_.try_emplace(name, Vector::Zero()).first->second; }
+    Real& energy(std::string const& name) { return energies_.try_emplace(name, 0.0).first->second; }
+
+    [[nodiscard]] std::map<std::string, Real> const& energies() const { return energies_; }
+    [[nodiscard]] std::map<std::string, Vector> const& impulses() const { return impulses_; }
+
+    void save(State& state) const;
+    void load(State const& state); ///< Loads the entries that exist now; one that the state lacks is an error.
+
+private:
+    std::map<std::string, Real> energies_;
+    std::map<std::string, Vector> impulses_;
+};
+
+} // namespace mpsDem

@@ -1,0 +1,146 @@
+#include "coupling/FluidBodyCoupling.h"
+
+namespace mpsDem {
+
+FluidBodyCoupling::Controls FluidBodyCoupling::readControls(Dictionary const& dict, Lattice const& lattice, bool positiveOnly)
+{
+    std::string const type = dict.getWordOr("type", "auto", {"weak", "strong", "lagged", "auto"}, "couplings");
+    Controls controls;
+    controls.mode = type == "strong" ? Mode::Strong : type == "lagged" ? Mode::Lagged : Mode::Weak;
+    controls.automatic = type == "auto";
+    controls.weakAbove = dict.getInRangeOr("weakAbove", 2, 0, 1e6);
+    controls.addedMassInterval = static_cast<int>(dict.getInRangeOr("addedMassInterval", 10, 1, 1000));
+    controls.integration.wetRadius = 1.5 * lattice.spacing;
+    controls.integration.radius = 2.1 * lattice.spacing;
+    controls.integration.positiveOnly = positiveOnly;
+    controls.integration.porePressure = dict.getWordOr("contactFace", "dry", {"dry", "pore"}, "contact faces") == "pore";
+    return controls;
+}
+
+FluidBodyCoupling::FluidBodyCoupling(RigidBody& body, int number, Polyline const& outline, ParticleSet const& particles,
+                                     Controls const& controls, Vector const& gravity, Real density)
+    : body_(body),
+      controls_(controls),
+      mode_(controls.mode),
+      gravity_(gravity),
+      density_(density),
+      surface_(outline, particles.lattice(), number)
+{
+    Tensor const toBody = body.rotation().transpose();
+    for (int i : particles.boundary())
+    {
+        if (particles.body[i] != number) continue;
+        particle_.push_back(i);
+        local_.push_back(toBody * (particles.r[i] - body.centre()));
+        localNormal_.push_back(toBody * particles.normal[i]);
+    }
+    Real const volume = outline.area() * particles.lattice().thickness;
+    if (controls.automatic) mode_ = body.mass() / volume >= controls.weakAbove * density ? Mode::Weak : Mode::Strong;
+    for (int k : {0, 1, 2, 3, 4, 5})
+        if (mode_ != Mode::Weak && body.freeProjection().col(k).norm() > 0) direction_.push_back(k);
+    response_.resize(direction_.size());
+}
+
+char const* FluidBodyCoupling::modeName() const { return mode_ == Mode::Weak ? "weak" : mode_ == Mode::Strong ? "strong" : "lagged"; }
+
+void FluidBodyCoupling::moveParticles(ParticleSet& particles)
+{
+    for (std::size_t k = 0; k < particle_.size(); ++k)
+    {
+        int const i = particle_[k];
+        particles.r[i] = body_.toSpace(local_[k]);
+        particles.u[i] = body_.velocityAt(particles.r[i]);
+        particles.normal[i] = body_.rotation() * localNormal_[k];
+        particles.wallAcceleration[i] = body_.accelerationAt(particles.r[i]);
+    }
+    surface_.place(body_.rotation(), body_.centre());
+}
+
+Vector6 FluidBodyCoupling::assumedAcceleration() const
+{
+    Vector6 a = Vector6::Zero();
+    if (mode_ == Mode::Weak) return a;
+    a << body_.acceleration(), body_.angularAcceleration();
+    return a;
+}
+
+void FluidBodyCoupling::predictParticles(ParticleSet& particles, Real dt) const
+{
+    Vector6 const a = assumedAcceleration();
+    for (int const i : particle_)
+    {
+        Vector const arm = particles.r[i] - body_.centre();
+        particles.uStar[i] = particles.u[i] + dt * (a.head<3>() + Vector(a.tail<3>()).cross(arm));
+    }
+}
+
+void FluidBodyCoupling::findAddedMass(ParticleSet const& particles, NeighbourList const& neighbours, PressureResponse const& response)
+{
+    PressureIntegrationControls linear = controls_.integration;
+    linear.positiveOnly = false;
+    addedMass_.setZero();
+    unitAcceleration_.assign(particles.wallAcceleration.size(), Vector::Zero());
+    for (std::size_t k = 0; k < direction_.size(); ++k)
+    {
+        Vector6 const unit = Vector6::Unit(direction_[k]);
+        auto const accelerationAt = [&](Vector const& r) -> Vector {
+            return unit.head<3>() + Vector(unit.tail<3>()).cross(r - body_.centre());
+        };
+        for (int const i : particle_) unitAcceleration_[i] = accelerationAt(particles.r[i]);
+        response(unitAcceleration_, response_[k]);
+        surface_.interpolate(particles, neighbours.grid(), response_[k], Vector::Zero(), density_, accelerationAt, linear);
+        Load const load = surface_.integrate(body_.centre());
+        addedMass_.col(direction_[k]) << -load.force, -load.moment;
+    }
+}
+
+void FluidBodyCoupling::load(ParticleSet const& particles, NeighbourList const& neighbours, Step const& step,
+                             PressureResponse const& response)
+{
+    assumed_ = assumedAcceleration();
+    bool const renew =
+        mode_ == Mode::Strong || (mode_ == Mode::Lagged && step.number % controls_.addedMassInterval == 1 % controls_.addedMassInterval);
+    if (mode_ != Mode::Weak && !body_.still(step.begin()))
+    {
+        if (renew || addedMass_.isZero()) findAddedMass(particles, neighbours, response);
+        body_.setAddedMass(addedMass_, assumed_);
+    }
+    else
+        body_.setAddedMass(Matrix6::Zero(), Vector6::Zero());
+    surface_.interpolate(
+        particles, neighbours.grid(), particles.p, gravity_, density_, [&](Vector const& r) { return body_.accelerationAt(r); },
+        controls_.integration);
+    body_.fluid = surface_.integrate(body_.centre());
+}
+
+void FluidBodyCoupling::correct(ParticleSet& particles)
+{
+    if (mode_ != Mode::Strong || response_.empty() || response_.front().size() != particles.p.size()) return;
+    Vector6 difference;
+    difference << body_.acceleration(), body_.angularAcceleration();
+    difference -= assumed_;
+    for (std::size_t k = 0; k < direction_.size(); ++k)
+        for (int i : particles.owned()) particles.p[i] += difference[direction_[k]] * response_[k][i];
+    Vector6 const load = addedMass_ * difference;
+    body_.fluid.force -= load.head<3>();
+    body_.fluid.moment -= load.tail<3>();
+}
+
+void FluidBodyCoupling::save(State& state) const
+{
+    std::string const prefix = "coupling/" + body_.name() + "/";
+    state.set(prefix + "local", std::span<Vector const>(local_));
+    state.set(prefix + "localNormal", std::span<Vector const>(localNormal_));
+    state.set(prefix + "addedMass", std::span<Real const>(addedMass_.data(), 36));
+}
+
+void FluidBodyCoupling::load(State const& state)
+{
+    std::string const prefix = "coupling/" + body_.name() + "/";
+    if (!state.has(prefix + "local")) return; // the initial state: found from the particles
+    local_ = state.vectors(prefix + "local");
+    localNormal_ = state.vectors(prefix + "localNormal");
+    addedMass_ = Eigen::Map<Matrix6 const>(state.reals(prefix + "addedMass").data());
+}
+
+} // namespace mpsDem

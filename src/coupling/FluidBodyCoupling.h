@@ -1,0 +1,96 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bodies/RigidBody.h"
+#include "core/Dictionary.h"
+#include "core/Step.h"
+#include "coupling/WettedSurface.h"
+#include "particles/NeighbourList.h"
+
+namespace mpsDem {
+
+/// Answers what pressure a given acceleration of the boundary particles causes (the pressure library, seen from here).
+using PressureResponse = std::function<void(Field<Vector> const& acceleration, Field<Real>& pressure)>;
+
+/// Fluid and one rigid body: its boundary particles follow it, the pressure loads it (eqs 15-16), and where the body is light its
+/// acceleration and the pressure are found together.
+///
+/// `coupling { type auto; }` of system/mpsSolution:
+///   weak    the load of this step's pressure moves the body (paper)
+///   strong  the pressure is linear in the acceleration a of the body, p = p0 + sum_k (a_k - a*_k) p_k, so that
+///           \f[ (M + M_a)\,\dot V = F_g + F_c + F_H(a^*) + M_a a^*, \qquad M_{a,lk} = -\mathrm{PI}_l(p_k) \f]
+///           is solved in the contact sub-steps; then p is corrected. One pass, no iteration; 3 more solves a step in 2-D, 6 in 3-D
+///   lagged  as strong, with M_a and p_k renewed every `addedMassInterval` steps and the pressure left uncorrected
+///   auto    weak where the density ratio body/fluid is `weakAbove` or more, else strong
+///
+/// | key | meaning | unit | default | range |
+/// | type | weak, strong, lagged, auto | - | auto | - |
+/// | weakAbove | density ratio from which auto is weak | - | 2 | 0..1e6 |
+/// | addedMassInterval | steps (lagged) | - | 10 | 1..1000 |
+/// | contactFace | dry: no pressure where two solids touch (paper); pore: that of the wet rim | - | dry | - |
+class FluidBodyCoupling
+{
+public:
+    enum class Mode
+    {
+        Weak,
+        Strong,
+        Lagged
+    };
+
+    struct Controls
+    {
+        Mode mode;
+        bool automatic;
+        Real weakAbove;
+        int addedMassInterval;
+        PressureIntegrationControls integration;
+    };
+    static Controls readControls(Dictionary const& coupling, Lattice const& lattice, bool positiveOnly);
+
+    /// @param body     Number of the body in particles.body.
+    /// @param outline  In body axes.
+    FluidBodyCoupling(RigidBody& body, int number, Polyline const& outline, ParticleSet const& particles, Controls const& controls,
+                      Vector const& gravity, Real density);
+
+    /// Sets position, velocity, normal and acceleration of the body's particles.
+    void moveParticles(ParticleSet& particles);
+    /// u* of the body's particles: the velocity they are assumed to have at the end of the step.
+    void predictParticles(ParticleSet& particles, Real dt) const;
+
+    /// Load of the pressure just solved for; in strong mode also the added mass, by `response`.
+    void load(ParticleSet const& particles, NeighbourList const& neighbours, Step const& step, PressureResponse const& response);
+    /// Corrects pressure and load for the acceleration that the body has had in truth (strong). After body.endStep().
+    void correct(ParticleSet& particles);
+
+    [[nodiscard]] RigidBody const& body() const { return body_; }
+    [[nodiscard]] WettedSurface const& surface() const { return surface_; }
+    [[nodiscard]] Mode mode() const { return mode_; }
+    [[nodiscard]] char const* modeName() const;
+
+    void save(State& state) const;
+    void load(State const& state);
+
+private:
+    [[nodiscard]] Vector6 assumedAcceleration() const;
+    void findAddedMass(ParticleSet const& particles, NeighbourList const& neighbours, PressureResponse const& response);
+
+    RigidBody& body_;
+    Controls controls_;
+    Mode mode_;
+    Vector gravity_;
+    Real density_;
+    Field<int> particle_;
+    Field<Vector> local_, localNormal_;
+    WettedSurface surface_;
+    Matrix6 addedMass_ = Matrix6::Zero();
+    Vector6 assumed_ = Vector6::Zero();
+    std::vector<int> direction_;        ///< Degrees of freedom that have a response.
+    std::vector<Field<Real>> response_; ///< p_k of each [Pa s2/m].
+    Field<Vector> unitAcceleration_;
+};
+
+} // namespace mpsDem

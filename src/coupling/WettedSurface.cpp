@@ -1,0 +1,122 @@
+#include "coupling/WettedSurface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "particles/Kernel.h"
+
+namespace mpsDem {
+
+namespace {
+
+/// A fluid particle counts for a point only where it is this far in front of it, in spacings.
+constexpr Real inFront = 0.1;
+/// Wall particles count where their normal agrees with that of the point to this cosine.
+constexpr Real likeNormal = 0.5;
+/// A dry point with another solid within this distance in front, in spacings, lies on a contact face.
+constexpr Real contactReach = 1.5;
+
+} // namespace
+
+WettedSurface::WettedSurface(Polyline const& outline, Lattice const& lattice, int body)
+    : lattice_(lattice),
+      body_(body),
+      closed_(outline.closed())
+{
+    for (Polyline::Segment const& segment : outline.segments())
+    {
+        int const pieces = std::max(1, static_cast<int>(std::ceil(segment.length / lattice.spacing - 1e-9)));
+        Real const length = segment.length / pieces;
+        for (int k = 0; k < pieces; ++k)
+        {
+            localPosition_.push_back(segment.a + (k + 0.5) * length * segment.tangent);
+            localNormal_.push_back(segment.normal);
+            area_.push_back(length * lattice.thickness);
+        }
+    }
+    position_ = localPosition_;
+    normal_ = localNormal_;
+    pressure_.assign(position_.size(), 0);
+    wet_.assign(position_.size(), 0);
+}
+
+void WettedSurface::place(Tensor const& rotation, Vector const& centre)
+{
+    for (std::size_t s = 0; s < position_.size(); ++s)
+    {
+        position_[s] = centre + rotation * localPosition_[s];
+        normal_[s] = rotation * localNormal_[s];
+    }
+}
+
+void WettedSurface::evaluatePoint(ParticleSet const& particles, CellGrid const& grid, Field<Real> const& pressure, Real slope,
+                                  PressureIntegrationControls const& controls, std::size_t s)
+{
+    Kernel const w{controls.radius};
+    Real const wetRadius2 = controls.wetRadius * controls.wetRadius;
+    Vector const normal = normal_[s];
+    Real weight = 0, sum = 0;
+    bool wet = false;
+    grid.forEachWithin(position_[s], controls.radius, [&](int j, Vector const& rsj, Real r2) {
+        Real const off = rsj.dot(normal);
+        if (particles.isFluid(j))
+        {
+            if (off <= inFront * lattice_.spacing) return;
+            wet = wet || r2 < wetRadius2;
+        }
+        else
+        {
+            bool const donor = particles.type[j] == ParticleType::Wall && particles.wet[j] && particles.body[j] == body_ &&
+                               particles.normal[j].dot(normal) >= likeNormal;
+            if (!donor) return;
+        }
+        Real const wsj = w(std::sqrt(r2));
+        weight += wsj;
+        sum += wsj * (pressure[j] - slope * off);
+    });
+    wet_[s] = wet;
+    pressure_[s] = wet && weight > 0 ? sum / weight : 0;
+    if (controls.positiveOnly) pressure_[s] = std::max(pressure_[s], Real(0));
+}
+
+bool WettedSurface::facesSolid(ParticleSet const& particles, CellGrid const& grid, std::size_t s) const
+{
+    bool found = false;
+    grid.forEachWithin(position_[s], contactReach * lattice_.spacing, [&](int j, Vector const& rsj, Real) {
+        found = found || (particles.type[j] == ParticleType::Wall && particles.body[j] != body_ && rsj.dot(normal_[s]) > 0);
+    });
+    return found;
+}
+
+void WettedSurface::fillContactFaces(ParticleSet const& particles, CellGrid const& grid)
+{
+    // Runs of dry points between two wet ones, along the outline: pressure linear in arc length from rim to rim.
+    std::size_t const count = position_.size();
+    auto const firstWet = std::find(wet_.begin(), wet_.end(), 1);
+    if (!closed_ || firstWet == wet_.end()) return;
+    std::size_t const start = static_cast<std::size_t>(firstWet - wet_.begin());
+    std::size_t rim = start;
+    for (std::size_t step = 1; step <= count; ++step)
+    {
+        std::size_t const s = (start + step) % count;
+        if (!wet_[s]) continue;
+        std::size_t const dry = (s + count - rim) % count == 0 ? count - 1 : (s + count - rim) % count - 1;
+        for (std::size_t k = 1; k <= dry; ++k)
+        {
+            std::size_t const q = (rim + k) % count;
+            if (!facesSolid(particles, grid, q)) continue;
+            Real const share = static_cast<Real>(k) / static_cast<Real>(dry + 1);
+            pressure_[q] = (1 - share) * pressure_[rim] + share * pressure_[s];
+        }
+        rim = s;
+    }
+}
+
+Load WettedSurface::integrate(Vector const& centre) const
+{
+    Load load;
+    for (std::size_t s = 0; s < position_.size(); ++s) load.add(-pressure_[s] * area_[s] * normal_[s], position_[s] - centre);
+    return load;
+}
+
+} // namespace mpsDem

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "bodies/Load.h"
+#include "core/Polyline.h"
+#include "particles/CellGrid.h"
+#include "particles/ParticleSet.h"
+
+namespace mpsDem {
+
+/// How the hydrodynamic pressure on a surface is found from the particles around it.
+struct PressureIntegrationControls
+{
+    Real wetRadius;            ///< A point is wet if fluid lies within this distance in front of it [m].
+    Real radius;               ///< Shepard radius [m].
+    bool positiveOnly = true;  ///< Clamp at zero.
+    bool porePressure = false; ///< Contact faces carry the pressure of their wet rim instead of none.
+};
+
+/// Quadrature points on the surface of a solid and eqs 15-16 over them.
+///
+/// The points lie on the exact surface, one in the middle of each piece of at most one spacing, so that sum n dA = 0 for a closed outline
+/// and sum x.n dA / d = V to round-off, whatever the boundary particles do.
+class WettedSurface
+{
+public:
+    /// @param outline   In body axes from the centre of mass, or in space for a fixed surface.
+    /// @param body      Index of the body, -1 for a fixed surface.
+    WettedSurface(Polyline const& outline, Lattice const& lattice, int body);
+
+    /// Moves the points with their body.
+    void place(Tensor const& rotation, Vector const& centre);
+
+    /// Pressure at every point:
+    /// \f[ p_S = \frac{\sum_j w_{Sj}\,[\,p_j - \rho\,((\mathbf g-\mathbf a)\cdot\mathbf n)\,(\mathbf n\cdot\mathbf r_{Sj})\,]}{\sum_j w_{Sj}} \f]
+    /// over fluid particles in front of the point and wet wall particles of the same solid with a like normal; zero where the point is dry.
+    /// @param pressure      Per particle [Pa].
+    /// @param gravity       [m/s2]; zero for the response to an acceleration.
+    /// @param acceleration  Function (position) -> acceleration of the solid there [m/s2].
+    template <class Acceleration>
+    void interpolate(ParticleSet const& particles, CellGrid const& grid, Field<Real> const& pressure, Vector const& gravity, Real density,
+                     Acceleration acceleration, PressureIntegrationControls const& controls)
+    {
+        for (std::size_t s = 0; s < position_.size(); ++s)
+        {
+            Real const slope = density * (gravity - acceleration(position_[s])).dot(normal_[s]);
+            evaluatePoint(particles, grid, pressure, slope, controls, s);
+        }
+        if (controls.porePressure) fillContactFaces(particles, grid);
+    }
+
+    /// Eqs 15-16: F = -sum p n dA, M = -sum (r - centre) x (p n dA) [N], [N m].
+    [[nodiscard]] Load integrate(Vector const& centre) const;
+
+    [[nodiscard]] Field<Vector> const& position() const { return position_; }
+    [[nodiscard]] Field<Vector> const& normal() const { return normal_; }
+    [[nodiscard]] Field<Real> const& area() const { return area_; }
+    [[nodiscard]] Field<Real> const& pressure() const { return pressure_; }
+    [[nodiscard]] Field<std::uint8_t> const& wet() const { return wet_; }
+
+private:
+    void evaluatePoint(ParticleSet const& particles, CellGrid const& grid, Field<Real> const& pressure, Real slope,
+                       PressureIntegrationControls const& controls, std::size_t s);
+    void fillContactFaces(ParticleSet const& particles, CellGrid const& grid);
+    [[nodiscard]] bool facesSolid(ParticleSet const& particles, CellGrid const& grid, std::size_t s) const;
+
+    Lattice lattice_;
+    int body_;
+    bool closed_;
+    Field<Vector> localPosition_, localNormal_, position_, normal_;
+    Field<Real> area_, pressure_;
+    Field<std::uint8_t> wet_;
+};
+
+} // namespace mpsDem

@@ -1,0 +1,157 @@
+#include "dem/ContactModel.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "core/Log.h"
+#include "dem/PolylineSurface.h"
+#include "dem/SimpleSurfaces.h"
+
+namespace mpsDem {
+
+namespace {
+
+constexpr Real refusedOverlap = 0.3;
+constexpr Real noticedOverlap = 0.05;
+
+std::shared_ptr<ContactSurface const> surfaceOf(ContactShape const& shape, Real spacing)
+{
+    if (shape.radius) return std::make_shared<DiscSurface>(*shape.radius);
+    return std::make_shared<PolylineSurface>(shape.outline, spacing);
+}
+
+std::size_t bodyNamed(Dictionary const& dict, std::span<RigidBody* const> bodies)
+{
+    auto const name = dict.get<std::string>("body");
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+    {
+        if (bodies[i]->name() == name) return i;
+        names.push_back(bodies[i]->name());
+    }
+    throw CaseError(ExitCode::BadInput, dict.where("body"), "body \"" + name + "\" is not known", knownWords("bodies", name, names));
+}
+
+} // namespace
+
+ContactModel::ContactModel(Dictionary const& contactProperties, Real spacing, Real thickness, std::vector<Polyline> const& surfaces,
+                           std::span<RigidBody* const> bodies, std::vector<ContactShape> const& shapes)
+    : spacing_(spacing),
+      thickness_(thickness)
+{
+    expect(bodies.size() == shapes.size(), "one contact shape a body");
+    ContactProperties const common = ContactProperties::readCommon(contactProperties);
+    collisionResolutionSteps_ = contactProperties.getInRangeOr("collisionResolutionSteps", 32, 20, 10000);
+    std::vector<Target> targets;
+    for (Polyline const& line : surfaces) targets.push_back({line.name(), -1, std::make_shared<PolylineSurface>(line, spacing, surfaces)});
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+    {
+        points_.push_back(std::make_shared<ContactPointSet>(shapes[i], spacing, thickness));
+        disc_.push_back(shapes[i].radius.has_value());
+        Real farthest = 0;
+        for (ContactPoint const& point : points_.back()->points()) farthest = std::max(farthest, point.centre.norm() + point.radius);
+        reach_.push_back(farthest);
+        targets.push_back({bodies[i]->name(), static_cast<int>(i), surfaceOf(shapes[i], spacing)});
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        for (Target const& target : targets)
+        {
+            if (target.body == static_cast<int>(i)) continue;
+            auto const properties = ContactProperties::readPair(contactProperties, common, bodies[i]->name(), target.name);
+            addPair(i, target, properties, bodies);
+        }
+    addStoppers(contactProperties.subDictOrEmpty("stoppers"), common, bodies);
+    sums_.resize(bodies.size());
+    checkStart(bodies);
+}
+
+void ContactModel::addPair(std::size_t body, Target const& target, ContactProperties const& properties, std::span<RigidBody* const> bodies)
+{
+    PairLoad load{bodies[body]->mass(), points_[body]->largestSide(), spacing_, thickness_, disc_[body]};
+    if (target.body >= 0)
+    {
+        auto const other = static_cast<std::size_t>(target.body);
+        load.mass = std::max(load.mass, bodies[other]->mass());
+        load.largestSide = std::min(load.largestSide, points_[other]->largestSide());
+        load.disc = load.disc || disc_[other];
+    }
+    ContactMaterial const material = contactMaterial(properties, load, target.body < 0 ? 1 : 0.5);
+    std::shared_ptr<ContactLaw const> const law = contactLaws().make(properties.law, properties.where, material);
+    pairs_.emplace_back(ContactPair::Parts{bodies[body]->name() + ":" + target.name, body, points_[body], target.body, target.surface, law,
+                                           properties.maxOverlap * spacing_});
+    properties_.push_back(properties);
+    materials_.push_back(material);
+}
+
+void ContactModel::addStoppers(Dictionary const& stoppers, ContactProperties const& common, std::span<RigidBody* const> bodies)
+{
+    ContactProperties defaults = common;
+    defaults.mu = 0;
+    defaults.e = 0.1;
+    for (std::string const& name : stoppers.dictKeys())
+    {
+        Dictionary const dict = stoppers.subDict(name);
+        std::string const type = dict.getWord("type", {"stopper", "latch"}, "types of stopper");
+        std::size_t const body = bodyNamed(dict, bodies);
+        auto const point = dict.get<Vector>("point");
+        auto const normal = dict.get<Vector>("normal");
+        require(normal.norm() > 0, dict.where("normal"), "normal of stopper \"" + name + "\" has no length", "any vector but zero");
+        if (type == "latch")
+            latches_.emplace_back(name, body, point, normal);
+        else
+            addPair(body, {name, -1, std::make_shared<PlaneSurface>(point, normal)}, ContactProperties::read(dict, defaults), bodies);
+    }
+}
+
+void ContactModel::checkStart(std::span<RigidBody* const> bodies) const
+{
+    for (ContactPair const& pair : pairs_)
+    {
+        Real const overlap = pair.overlapNow(bodies);
+        if (overlap <= noticedOverlap * spacing_) continue;
+        std::ostringstream text;
+        text << "contact " << pair.name() << " overlaps by " << overlap << " m at the start, " << overlap / spacing_ << " spacings";
+        require(overlap <= refusedOverlap * spacing_, {}, text.str(), "at most 0.3 spacings: move the body off the surface");
+        warn(text.str());
+    }
+}
+
+void ContactModel::checkOverlap(std::span<RigidBody* const> bodies) const
+{
+    for (ContactPair const& pair : pairs_)
+    {
+        Real const overlap = pair.maxOverlap();
+        if (overlap <= noticedOverlap * spacing_) continue;
+        std::ostringstream text;
+        Vector const& centre = bodies[pair.parts().body]->centre();
+        text << "contact " << pair.name() << " overlaps by " << overlap / spacing_ << " spacings, centre of body at (" << centre.x() << ' '
+             << centre.y() << ' ' << centre.z() << ")";
+        if (!(overlap <= refusedOverlap * spacing_))
+            throw CaseError(ExitCode::Solver, text.str(),
+                            "at most 0.3 spacings: lower maxOverlap or raise impactSpeed in contactProperties");
+        warn(text.str(), "overlap of contact " + pair.name(), 5);
+    }
+}
+
+std::size_t ContactModel::contactCount() const
+{
+    std::size_t count = 0;
+    for (ContactPair const& pair : pairs_) count += pair.contacts().size();
+    return count;
+}
+
+Real ContactModel::maxOverlap() const
+{
+    Real most = 0;
+    for (ContactPair const& pair : pairs_) most = std::max(most, pair.maxOverlap());
+    return most;
+}
+
+Real ContactModel::elasticEnergy() const
+{
+    Real sum = 0;
+    for (ContactPair const& pair : pairs_) sum += pair.elasticEnergy();
+    return sum;
+}
+
+} // namespace mpsDem

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bodies/RigidBody.h"
+#include "core/Dictionary.h"
+#include "core/Polyline.h"
+#include "core/State.h"
+#include "dem/ContactPair.h"
+#include "dem/ContactProperties.h"
+#include "dem/Latch.h"
+#include "dem/PairStiffness.h"
+
+namespace mpsDem {
+
+/// All contacts of a scene: bodies with resting surfaces, with one another, with stoppers and latches (eqs 11-12).
+///
+/// constant/contactProperties, beside the keys of ContactProperties:
+///
+/// | key                      | meaning                                                | default |
+/// |--------------------------|--------------------------------------------------------|---------|
+/// | collisionResolutionSteps | sub-steps in one undamped contact, 20 .. 10000         | 32      |
+/// | pairs                    | `"slide:ramp" { mu 0.0105; }`, either order of names   | none    |
+/// | stoppers                 | `foot { type stopper; body slide; point (..); normal (..); e 0.1; }`; type `latch` locks the body | none |
+///
+/// A stopper is a plane that only its body feels: keys of ContactProperties, but mu 0 and e 0.1 by default.
+/// Body against body: the points of each against the outline of the other, each with half the stiffness.
+class ContactModel
+{
+public:
+    /// @param spacing    dx [m].  @param thickness  Width in z [m].
+    /// @param surfaces   Resting surfaces, normals into the free side.
+    /// @param bodies     In the order of all later calls.  @param shapes  One for each body, in body axes.
+    /// @throw CaseError BadInput for wrong entries and for an overlap above 0.3 dx at the start.
+    ContactModel(Dictionary const& contactProperties, Real spacing, Real thickness, std::vector<Polyline> const& surfaces,
+                 std::span<RigidBody* const> bodies, std::vector<ContactShape> const& shapes);
+
+    /// Number of equal sub-steps of a fluid step dt [s]: 1 where nothing can touch (farther away than 5 mm + v dt), else so many that
+    /// one contact takes collisionResolutionSteps of them: h = pi / (omega steps), omega^2 the largest eigenvalue of M^-1 K with K of all points
+    /// that may touch; and no point moves more than 0.2 dx.
+    /// @throw CaseError (Solver) above 2000.
+    [[nodiscard]] int subSteps(std::span<RigidBody* const> bodies, Real dt) const;
+
+    /// Sets contactNormal and contactTangential of every body for the sub-step h [s] that begins now. Once a sub-step: history grows.
+    /// @throw CaseError (Solver) for an overlap above 0.3 dx.
+    void addTo(std::span<RigidBody* const> bodies, Real h);
+
+    [[nodiscard]] std::size_t contactCount() const;
+    [[nodiscard]] Real maxOverlap() const;    ///< Of the last sub-step [m].
+    [[nodiscard]] Real elasticEnergy() const; ///< In all springs [J].
+    /// Turned into heat by dashpots and sliders since the start [J]. Kinetic + potential + elastic + dissipated energy is constant.
+    [[nodiscard]] Real dissipatedEnergy() const { return dissipation_.normal + dissipation_.tangential; }
+    [[nodiscard]] ContactDissipation const& dissipation() const { return dissipation_; }
+    [[nodiscard]] std::vector<ContactPair> const& pairs() const { return pairs_; }
+    [[nodiscard]] std::vector<Latch> const& latches() const { return latches_; }
+
+    /// One line a pair: law, mu, e, stiffness, damping, static overlap, sub-step.
+    void report(std::ostream& os, std::span<RigidBody* const> bodies) const;
+
+    void save(State& state) const; ///< Blocks "contact/...".
+    void load(State const& state);
+
+private:
+    struct Target
+    {
+        std::string name;
+        int body; ///< -1 for one at rest.
+        std::shared_ptr<ContactSurface const> surface;
+    };
+
+    void addPair(std::size_t body, Target const& target, ContactProperties const& properties, std::span<RigidBody* const> bodies);
+    void addStoppers(Dictionary const& stoppers, ContactProperties const& common, std::span<RigidBody* const> bodies);
+    void checkStart(std::span<RigidBody* const> bodies) const;
+    void checkOverlap(std::span<RigidBody* const> bodies) const;
+    [[nodiscard]] Real speed(RigidBody const& body, std::size_t index) const;
+
+    Real spacing_;
+    Real thickness_;
+    Real collisionResolutionSteps_ = 32;
+    std::vector<std::shared_ptr<ContactPointSet const>> points_; ///< Of each body.
+    std::vector<bool> disc_;                                     ///< For each body.
+    std::vector<Real> reach_;                                    ///< Largest distance of a point from the centre of its body [m].
+    std::vector<ContactPair> pairs_;
+    std::vector<ContactProperties> properties_; ///< Of each pair.
+    std::vector<ContactMaterial> materials_;    ///< Of each pair.
+    std::vector<Latch> latches_;
+    std::vector<BodyContactSums> sums_;
+    ContactDissipation dissipation_;
+};
+
+} // namespace mpsDem

@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include <Eigen/Eigenvalues>
+
+#include "dem/ContactModel.h"
+
+namespace mpsDem {
+
+namespace {
+
+constexpr Real mayTouch = 5e-3; ///< Gap within which a point counts for the sub-step [m].
+constexpr Real mostSubSteps = 2000;
+constexpr Real mostTravel = 0.2; ///< Part of the spacing that a point may move in a sub-step.
+
+/// Largest eigenfrequency of the body on its contact springs, free directions only [1/s].
+Real eigenfrequency(RigidBody const& body, Matrix6 const& stiffness)
+{
+    Matrix6 const free = body.freeProjection();
+    Matrix6 const k = free * stiffness * free;
+    Eigen::GeneralizedSelfAdjointEigenSolver<Matrix6> const solver(k, body.massMatrix(), Eigen::EigenvaluesOnly);
+    return std::sqrt(std::max(Real(0), solver.eigenvalues().maxCoeff()));
+}
+
+} // namespace
+
+Real ContactModel::speed(RigidBody const& body, std::size_t index) const
+{
+    return body.velocity().norm() + body.angularVelocity().norm() * reach_[index];
+}
+
+int ContactModel::subSteps(std::span<RigidBody* const> bodies, Real dt) const
+{
+    std::vector<Matrix6> stiffness(bodies.size(), Matrix6::Zero());
+    std::vector<char> movable;
+    for (RigidBody const* body : bodies) movable.push_back(!immovable(*body));
+    Real fastest = 0;
+    for (ContactPair const& pair : pairs_)
+    {
+        std::size_t const a = pair.parts().body;
+        int const b = pair.parts().other;
+        if (!movable[a] && (b < 0 || !movable[static_cast<std::size_t>(b)])) continue;
+        Real v = speed(*bodies[a], a);
+        if (b >= 0) v += speed(*bodies[static_cast<std::size_t>(b)], static_cast<std::size_t>(b));
+        Real const fall = 9.81 * dt * dt;
+        if (pair.addStiffness(bodies, mayTouch + v * dt + fall, stiffness)) fastest = std::max(fastest, v);
+    }
+    Real omega = 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (movable[i] && stiffness[i].squaredNorm() > 0) omega = std::max(omega, eigenfrequency(*bodies[i], stiffness[i]));
+    Real const byContact = dt * omega * collisionResolutionSteps_ / std::numbers::pi;
+    Real const count = std::ceil(std::max({Real(1), byContact, dt * fastest / (mostTravel * spacing_)}));
+    if (count <= mostSubSteps) return static_cast<int>(count);
+    std::ostringstream text;
+    text << "contact needs " << count << " sub-steps in a fluid step of " << dt << " s";
+    throw CaseError(ExitCode::Solver, text.str(), "at most 2000: raise maxOverlap, lower impactSpeed (contactProperties) or cut deltaT");
+}
+
+void ContactModel::addTo(std::span<RigidBody* const> bodies, Real h)
+{
+    for (Latch& latch : latches_) latch.check(*bodies[latch.body()], *points_[latch.body()]);
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+    {
+        bodies[i]->contactNormal = Load();
+        bodies[i]->contactTangential = Load();
+        sums_[i] = BodyContactSums();
+        sums_[i].immovable = immovable(*bodies[i]);
+    }
+    for (ContactPair& pair : pairs_)
+    {
+        pair.detect(bodies, dissipation_);
+        pair.addSums(sums_);
+    }
+    for (ContactPair& pair : pairs_)
+    {
+        if (pair.contacts().empty()) continue;
+        pair.shareMass(bodies, sums_);
+        pair.addForces(bodies, h, dissipation_);
+    }
+    checkOverlap(bodies);
+}
+
+void ContactModel::report(std::ostream& os, std::span<RigidBody* const> bodies) const
+{
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+    {
+        ContactPair::Parts const& parts = pairs_[i].parts();
+        ContactProperties const& p = properties_[i];
+        Real const mass = bodies[parts.body]->mass();
+        Contact face;
+        face.area = parts.points->largestSide();
+        face.radius = disc_[parts.body] ? parts.points->points().front().curvature : 0.5 * spacing_;
+        face.count = disc_[parts.body] ? 1 : face.area / (spacing_ * spacing_);
+        Real const stiffness = parts.law->normalStiffness(face, parts.referenceOverlap);
+        Real const step = std::numbers::pi * std::sqrt(mass / stiffness) / collisionResolutionSteps_;
+        os << "contact " << pairs_[i].name() << ": " << p.law << ", mu " << p.mu << ", e " << p.e << ", " << parts.points->points().size()
+           << " points, stiffness of the longest side " << stiffness << " N/m, damping ratio " << materials_[i].zeta
+           << ", overlap by the weight " << 9.81 * mass / stiffness << " m, sub-step " << step << " s\n";
+    }
+    for (Latch const& latch : latches_) os << "contact " << bodies[latch.body()]->name() << ":" << latch.name() << ": latch\n";
+}
+
+void ContactModel::save(State& state) const
+{
+    for (ContactPair const& pair : pairs_) pair.save(state);
+    for (Latch const& latch : latches_) latch.save(state);
+    Real const energy[] = {dissipation_.normal, dissipation_.tangential};
+    state.set("contact/dissipation", std::span<Real const>(energy));
+}
+
+void ContactModel::load(State const& state)
+{
+    for (ContactPair& pair : pairs_) pair.load(state);
+    for (Latch& latch : latches_) latch.load(state);
+    State::Reals const& energy = state.reals("contact/dissipation");
+    if (energy.size() != 2) throw CaseError(ExitCode::InputOutput, "contact/dissipation has a wrong length", "2 numbers");
+    dissipation_ = {energy[0], energy[1]};
+}
+
+} // namespace mpsDem

@@ -1,0 +1,25 @@
+#include "dem/SimpleSurfaces.h"
+
+namespace mpsDem {
+
+void PlaneSurface::collect(std::span<Sphere const> spheres, Real reach, std::vector<ContactFeature>& features) const
+{
+    for (std::size_t i = 0; i < spheres.size(); ++i)
+    {
+        Real const gap = (spheres[i].centre - point_).dot(normal_) - spheres[i].radius;
+        if (gap < reach) features.push_back({static_cast<int>(i), 0, normal_, gap, 0});
+    }
+}
+
+void DiscSurface::collect(std::span<Sphere const> spheres, Real reach, std::vector<ContactFeature>& features) const
+{
+    for (std::size_t i = 0; i < spheres.size(); ++i)
+    {
+        Real const distance = spheres[i].centre.norm();
+        Real const gap = distance - radius_ - spheres[i].radius;
+        if (gap >= reach || distance == 0) continue;
+        features.push_back({static_cast<int>(i), 0, spheres[i].centre / distance, gap, radius_});
+    }
+}
+
+} // namespace mpsDem

@@ -1,0 +1,53 @@
+#include "fluid/Collision.h"
+
+namespace mpsDem {
+
+std::unique_ptr<Collision> Collision::read(Dictionary const& dict, SchemeSet set, Lattice const& lattice, Real density, Ledger& ledger)
+{
+    if (dict.getWordOr("type", "pairwise", {"pairwise", "none"}, "collision schemes") == "none")
+    {
+        for (char const* key : {"distance", "surfaceDistance", "restitution"}) dict.ignore(key);
+        return nullptr;
+    }
+    return std::unique_ptr<Collision>(new Collision(dict, set, lattice, density, ledger));
+}
+
+Collision::Collision(Dictionary const& dict, SchemeSet set, Lattice const& lattice, Real density, Ledger& ledger)
+    : distance_(lattice.spacing * dict.getInRangeOr("distance", 0.5, 0, 1)),
+      surfaceDistance_(lattice.spacing * dict.getInRangeOr("surfaceDistance", set == SchemeSet::Paper ? 0.5 : 0.8, 0, 1)),
+      restitution_(dict.getInRangeOr("restitution", 0.2, 0, 1)),
+      particleMass_(density * lattice.particleVolume()),
+      dissipated_(ledger.energy("energy/collision"))
+{}
+
+void Collision::apply(ParticleSet& particles, NeighbourList const& neighbours, Real dt)
+{
+    change_.assign(particles.r.size(), Vector::Zero());
+    Real const widest = std::max(distance_, surfaceDistance_);
+    auto const atSurface = [&](int i) { return particles.surface[i] != SurfaceLabel::Interior; };
+    for (int i : particles.fluid())
+    {
+        for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
+        {
+            int const j = neighbours.index()[k];
+            Vector const rij = particles.r[j] - particles.r[i];
+            Real const r2 = rij.squaredNorm();
+            if (r2 >= widest * widest) continue;
+            bool const wall = !particles.isFluid(j);
+            Real const reach = wall || atSurface(i) || atSurface(j) ? surfaceDistance_ : distance_;
+            if (r2 >= reach * reach) continue;
+            Real const approach = (particles.u[i] - particles.u[j]).dot(rij);
+            if (approach <= 0) continue;
+            change_[i] -= (1 + restitution_) * (wall ? 1.0 : 0.5) * approach / (r2 + tiny) * rij;
+        }
+    }
+    for (int i : particles.fluid())
+    {
+        Vector const du = change_[i];
+        dissipated_ -= particleMass_ * du.dot(particles.u[i] + 0.5 * du);
+        particles.u[i] += du;
+        particles.r[i] += dt * du;
+    }
+}
+
+} // namespace mpsDem

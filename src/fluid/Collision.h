@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+
+#include "core/Ledger.h"
+#include "particles/NeighbourList.h"
+#include "particles/ParticleSet.h"
+#include "particles/SchemeSet.h"
+
+namespace mpsDem {
+
+/// Particle collision: `collisionSchemes { type pairwise; }`. Keeps particles apart that approach closer than a share of the spacing.
+///
+/// For each approaching pair with r < c dx the normal velocity is reversed with restitution e; fluid pairs share the impulse (linear
+/// momentum is conserved), a wall has infinite mass:
+/// \f[ \Delta\mathbf u_i = -(1+e)\frac{m_r}{m} v_n \hat{\mathbf r}_{ij},\quad v_n = (\mathbf u_i-\mathbf u_j)\cdot\hat{\mathbf r}_{ij} > 0 \f]
+/// c is `surfaceDistance` where one of the two is at or near the free surface or is a wall, else `distance`.
+///
+/// | key | meaning | unit | default (standard, paper) | range |
+/// | type | pairwise or none | - | pairwise | - |
+/// | distance | c in the interior | spacings | 0.5 | 0..1 |
+/// | surfaceDistance | c at surface and walls | spacings | 0.8, 0.5 | 0..1 |
+/// | restitution | e | - | 0.2 | 0..1 |
+class Collision
+{
+public:
+    static std::unique_ptr<Collision> read(Dictionary const& collisionSchemes, SchemeSet set, Lattice const& lattice, Real density,
+                                           Ledger& ledger);
+
+    /// Changes u and r (by dt du) of the fluid after it has moved; adds the kinetic energy taken to the ledger.
+    void apply(ParticleSet& particles, NeighbourList const& neighbours, Real dt);
+
+private:
+    Collision(Dictionary const& dict, SchemeSet set, Lattice const& lattice, Real density, Ledger& ledger);
+
+    Real distance_, surfaceDistance_, restitution_, particleMass_;
+    Real& dissipated_;
+    Field<Vector> change_;
+};
+
+} // namespace mpsDem

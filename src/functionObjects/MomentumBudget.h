@@ -1,0 +1,38 @@
+#pragma once
+
+#include "functionObjects/FunctionObject.h"
+#include "io/TableFile.h"
+
+namespace mpsDem {
+
+/// `type momentumBudget;`: does the momentum of water and bodies change by the impulses that act on them from outside? No keys of its own.
+///
+/// \f[ \mathbf R = \mathbf P(t)-\mathbf P(0)-\sum_k\mathbf J_k,\qquad \mathbf P=\sum_i m\,\mathbf u_i+\sum_b M_b\mathbf V_b \f]
+/// with the external impulses J_k of the ledger (gravity, walls, contact and supports). Pressure between water and bodies is internal:
+/// what the two sides feel differently appears in R.
+/// Table `momentum.dat` [N s]: fluidx y z, bodies.., each ledger entry.., residual.., share = |R| / (m g 1 s), with m g the weight of the
+/// water (of the bodies where there is none); nan without gravity. Columns of an absent effect are absent.
+class MomentumBudget : public FunctionObject
+{
+public:
+    MomentumBudget(std::string const& name, Dictionary const& dict, RunContext const& context);
+
+    void execute(Step const&) override {}
+    void write(Step const& step) override;
+    void save(State& state) const override;
+    void load(State const& state) override;
+
+private:
+    [[nodiscard]] Vector fluidMomentum() const;
+    [[nodiscard]] Vector bodyMomentum() const;
+    /// P less all impulses [N s].
+    [[nodiscard]] Vector balance() const;
+    [[nodiscard]] Real weight() const;
+
+    RunContext const& context_;
+    std::string block_;
+    Vector start_; ///< Balance at the start of the run.
+    TableFile table_;
+};
+
+} // namespace mpsDem

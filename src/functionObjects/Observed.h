@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "functionObjects/FunctionObject.h"
+#include "io/TableFile.h"
+
+namespace mpsDem {
+
+/// Name of the folder for a run that starts at this time: six significant digits, as the log writes times.
+std::string startTimeName(Real startTime);
+
+/// Refuses a name that cannot be that of a file or folder: allowed are letters, digits and _ + - . , not `.` in front.
+void requireFileName(std::string const& name, Location const& where);
+
+/// Table <case>/postProcessing/<object>/<startTime>/<file>.dat.
+TableFile makeTable(RunContext const& context, std::string const& object, std::string const& file, std::vector<std::string> columns,
+                    std::vector<std::string> header);
+
+/// @throw CaseError BadInput where the case has no fluid.
+void requireFluid(RunContext const& context, Dictionary const& dict);
+
+/// Numbers of the bodies that `bodies (...)` names; all where it is absent.
+/// @throw CaseError BadInput for an unknown name and for a case without bodies.
+std::vector<int> readBodies(RunContext const& context, Dictionary const& dict);
+
+/// Unit vector against gravity, or the key `direction`.
+/// @throw CaseError BadInput where both are zero, or where the direction leaves the plane of a 2-D case.
+Vector readUp(RunContext const& context, Dictionary const& dict);
+
+/// Appends name + "x", "y", "z".
+void addVectorColumns(std::vector<std::string>& columns, std::string const& name);
+
+/// Appends the three components.
+void addVector(std::vector<Real>& values, Vector const& vector);
+
+/// "(0.1 0.2 0)".
+std::string text(Vector const& vector);
+
+/// Mass of all fluid of the run [kg].
+Real fluidMass(RunContext const& context);
+
+} // namespace mpsDem

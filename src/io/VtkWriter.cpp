@@ -1,0 +1,141 @@
+#include "io/VtkFile.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkXMLPolyDataWriter.h>
+#include <vtkZLibDataCompressor.h>
+
+#include "core/Errors.h"
+#include "io/OutputFile.h"
+
+namespace mpsDem {
+
+namespace {
+
+template <class Array, class T>
+vtkSmartPointer<vtkDataArray> filled(T const* values, std::size_t tuples, int components)
+{
+    using Value = typename Array::ValueType;
+    auto array = vtkSmartPointer<Array>::New();
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+    std::size_t const count = tuples * static_cast<std::size_t>(components);
+    std::transform(values, values + count, array->GetPointer(0), [](T value) { return static_cast<Value>(value); });
+    return array;
+}
+
+vtkSmartPointer<vtkDataArray> realArray(Real const* values, std::size_t tuples, int components, VtkPrecision precision)
+{
+    if (precision == VtkPrecision::Double) return filled<vtkDoubleArray>(values, tuples, components);
+    return filled<vtkFloatArray>(values, tuples, components);
+}
+
+vtkSmartPointer<vtkDataArray> vectorArray(std::span<Vector const> values, VtkPrecision precision)
+{
+    static_assert(sizeof(Vector) == 3 * sizeof(Real));
+    return realArray(reinterpret_cast<Real const*>(values.data()), values.size(), 3, precision);
+}
+
+vtkSmartPointer<vtkDataArray> integerArray(NamedArrays::IntegerSpan const& span)
+{
+    return std::visit(
+        [](auto values) {
+            using T = typename decltype(values)::value_type;
+            using Wide = std::conditional_t<std::is_same_v<T, int>, vtkIntArray, vtkTypeInt64Array>;
+            using Array = std::conditional_t<std::is_same_v<T, std::uint8_t>, vtkUnsignedCharArray, Wide>;
+            return filled<Array>(values.data(), values.size(), 1);
+        },
+        span);
+}
+
+void addArrays(vtkDataSetAttributes& target, NamedArrays const& arrays, std::size_t length, VtkPrecision precision)
+{
+    auto const add = [&](std::string const& name, std::size_t size, vtkSmartPointer<vtkDataArray> const& array) {
+        if (size != length) throw std::logic_error("VTK array \"" + name + "\" has the wrong length");
+        array->SetName(name.c_str());
+        target.AddArray(array);
+    };
+    for (auto const& [name, values] : arrays.scalars) add(name, values.size(), realArray(values.data(), values.size(), 1, precision));
+    for (auto const& [name, values] : arrays.vectors) add(name, values.size(), vectorArray(values, precision));
+    for (auto const& [name, span] : arrays.integers) add(name, std::visit([](auto v) { return v.size(); }, span), integerArray(span));
+}
+
+vtkSmartPointer<vtkCellArray> cellArray(std::vector<std::vector<std::int64_t>> const& cells, std::size_t points)
+{
+    auto array = vtkSmartPointer<vtkCellArray>::New();
+    for (auto const& cell : cells)
+    {
+        array->InsertNextCell(static_cast<int>(cell.size()));
+        for (std::int64_t const point : cell)
+        {
+            expect(point >= 0 && static_cast<std::size_t>(point) < points, "VTK surface: a cell names a point that does not exist");
+            array->InsertCellPoint(point);
+        }
+    }
+    return array;
+}
+
+void setPoints(vtkPolyData& data, std::span<Vector const> positions, VtkPrecision precision)
+{
+    vtkNew<vtkPoints> points;
+    points->SetData(vectorArray(positions, precision));
+    data.SetPoints(points);
+}
+
+/// Text of the file, written in one go: VTK's own file output does not report a full disk reliably.
+void write(std::filesystem::path const& path, vtkPolyData& data, Real time)
+{
+    auto const timeValue = filled<vtkDoubleArray>(&time, 1, 1);
+    timeValue->SetName("TimeValue");
+    data.GetFieldData()->AddArray(timeValue);
+    vtkNew<vtkZLibDataCompressor> compressor;
+    compressor->SetCompressionLevel(1);
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetInputData(&data);
+    writer->SetDataModeToBinary(); // inline base64: some readers refuse appended data
+    writer->SetCompressor(compressor);
+    writer->WriteToOutputStringOn();
+    bool const done = writer->Write() == 1;
+    if (!done) throw CaseError(ExitCode::InputOutput, Location{path.string(), 0, {}}, "VTK cannot encode this file");
+    atomicWrite(path, writer->GetOutputString(), Durability::Process);
+}
+
+} // namespace
+
+void writePointCloud(std::filesystem::path const& path, PointCloud const& cloud, Real time, VtkPrecision precision)
+{
+    vtkNew<vtkPolyData> data;
+    setPoints(*data, cloud.position, precision);
+    vtkNew<vtkCellArray> vertices;
+    vertices->AllocateExact(static_cast<vtkIdType>(cloud.position.size()), static_cast<vtkIdType>(cloud.position.size()));
+    for (vtkIdType i = 0; i < static_cast<vtkIdType>(cloud.position.size()); ++i) vertices->InsertNextCell(1, &i);
+    data->SetVerts(vertices);
+    addArrays(*data->GetPointData(), cloud, cloud.position.size(), precision);
+    write(path, *data, time);
+}
+
+void writeSurface(std::filesystem::path const& path, SurfaceCells const& surface, Real time, VtkPrecision precision)
+{
+    vtkNew<vtkPolyData> data;
+    setPoints(*data, surface.points, precision);
+    data->SetLines(cellArray(surface.lines, surface.points.size()));
+    data->SetPolys(cellArray(surface.polygons, surface.points.size()));
+    addArrays(*data->GetCellData(), surface, surface.lines.size() + surface.polygons.size(), precision);
+    write(path, *data, time);
+}
+
+} // namespace mpsDem

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+
+#include "particles/CellGrid.h"
+#include "particles/Kernel.h"
+#include "particles/ParticleSet.h"
+
+namespace mpsDem {
+
+/// Effective radii of the operators [m].
+struct Radii
+{
+    Real gradient;  ///< Of eqs 4 and 5, number density and surface vector.
+    Real laplacian; ///< Of eqs 6 and 7.
+
+    [[nodiscard]] Real largest() const { return gradient > laplacian ? gradient : laplacian; }
+};
+
+/// Flat list of neighbours: those of particle i are index[k], k = start[i] .. start[i+1].
+///
+/// Rows exist for fluid particles and for boundary particles that have fluid within reach; all others are empty (a dry wall costs
+/// nothing). Weights are stored once per pair; distances are recomputed from the positions, which stay in the cache.
+class NeighbourList
+{
+public:
+    /// @param allWallRows  Also rows for wall particles far from fluid (needed where DBL is off).
+    NeighbourList(Radii const& radii, bool allWallRows) : radii_(radii), allWallRows_(allWallRows) {}
+
+    /// Builds grid and list for the present positions.
+    void update(ParticleSet const& particles);
+
+    [[nodiscard]] Radii const& radii() const { return radii_; }
+    [[nodiscard]] CellGrid const& grid() const { return grid_; }
+
+    [[nodiscard]] int first(int i) const { return start_[i]; }
+    [[nodiscard]] int last(int i) const { return start_[i + 1]; }
+    [[nodiscard]] int const* index() const { return index_.data(); }
+    /// w(r_ij) with the gradient radius; zero beyond it.
+    [[nodiscard]] Real const* gradientWeight() const { return gradientWeight_.data(); }
+    /// w(r_ij) with the Laplacian radius; zero beyond it.
+    [[nodiscard]] Real const* laplacianWeight() const { return separate() ? laplacianWeight_.data() : gradientWeight_.data(); }
+
+    [[nodiscard]] std::size_t pairs() const { return index_.size(); }
+
+private:
+    [[nodiscard]] bool separate() const { return radii_.gradient != radii_.laplacian; }
+    [[nodiscard]] bool wanted(ParticleSet const& particles, int i) const;
+    void appendRow(ParticleSet const& particles, int i);
+
+    Radii radii_;
+    bool allWallRows_;
+    CellGrid grid_;
+    Field<int> start_, index_;
+    Field<Real> gradientWeight_, laplacianWeight_;
+};
+
+} // namespace mpsDem

@@ -1,0 +1,197 @@
+#include "pressure/PressureEquation.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "core/Errors.h"
+#include "pressure/SolverLadder.h"
+
+namespace mpsDem {
+
+namespace {
+
+/// Residual of the added-mass solves: their result is a coefficient, not a state.
+constexpr Real responseTolerance = 1e-3;
+
+} // namespace
+
+PressureEquation::PressureEquation(Dictionary const& solver, PressureSource const& source, Lattice const& lattice, Real density,
+                                   ReferenceConstants const& gradientConstants, ReferenceConstants const& laplacianConstants)
+    : source_(source),
+      lattice_(lattice),
+      density_(density),
+      gradientConstants_(gradientConstants),
+      laplacianConstants_(laplacianConstants),
+      controls_(readSolverControls(solver))
+{
+    controls_.dimensions = lattice.dimensions;
+    solver_ = std::make_unique<SolverLadder>(controls_);
+}
+
+PressureEquation::~PressureEquation() = default;
+
+bool PressureEquation::isUnknown(ParticleSet const& particles, int i) const
+{
+    bool const carries = particles.isFluid(i) || (particles.type[i] == ParticleType::Wall && particles.wet[i]);
+    return carries && particles.surface[i] != SurfaceLabel::Surface;
+}
+
+void PressureEquation::chooseRows(ParticleSet const& particles, NeighbourList const& neighbours)
+{
+    row_.assign(static_cast<std::size_t>(particles.owned().last), -1);
+    particle_.clear();
+    unknowns_ = 0;
+    for (int i : particles.owned()) unknowns_ += isUnknown(particles, i);
+    stableRows_ = resolveAutomatic(controls_, unknowns_).preconditioner == "AMG";
+    for (int i : particles.owned())
+    {
+        bool const wanted = stableRows_ ? particles.type[i] != ParticleType::Ghost : isUnknown(particles, i);
+        if (!wanted) continue;
+        row_[i] = static_cast<int>(particle_.size());
+        particle_.push_back(i);
+    }
+    matrix_.rows = static_cast<int>(particle_.size());
+    matrix_.rowStart.assign(1, 0);
+    matrix_.column.clear();
+    matrix_.value.clear();
+    matrix_.column.reserve(neighbours.pairs() + particle_.size());
+    matrix_.value.reserve(neighbours.pairs() + particle_.size());
+    pinned_.assign(particle_.size(), 0);
+}
+
+void PressureEquation::appendRow(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images, int i)
+{
+    Real const factor = laplacianConstants_.laplacianFactor(lattice_.dimensions);
+    Real const* const w = neighbours.laplacianWeight();
+    int const row = row_[i];
+    Real diagonal = 0;
+    entries_.clear();
+    for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
+    {
+        int const j = neighbours.index()[k];
+        bool const carries = particles.isFluid(j) || (particles.type[j] == ParticleType::Wall && particles.wet[j]);
+        if (w[k] <= 0 || !carries) continue;
+        Real const a = factor * w[k];
+        diagonal += a;
+        if (particles.surface[j] == SurfaceLabel::Surface)
+            pinned_[row] = 1;
+        else
+            entries_.emplace_back(row_[images.source(particles, j)], -a);
+    }
+    if (diagonal == 0)
+    {
+        diagonal = factor;
+        pinned_[row] = 1;
+    }
+    entries_.emplace_back(row, diagonal);
+    std::sort(entries_.begin(), entries_.end(), [](auto const& a, auto const& b) { return a.first < b.first; });
+    std::size_t const begin = matrix_.column.size();
+    for (auto const& [column, value] : entries_)
+    {
+        // Two images of one particle may both be neighbours: one entry.
+        if (matrix_.column.size() > begin && matrix_.column.back() == column)
+            matrix_.value.back() += value;
+        else
+        {
+            matrix_.column.push_back(column);
+            matrix_.value.push_back(value);
+        }
+    }
+}
+
+void PressureEquation::assemble(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images)
+{
+    chooseRows(particles, neighbours);
+    for (int const i : particle_)
+    {
+        if (isUnknown(particles, i))
+            appendRow(particles, neighbours, images, i);
+        else
+        {
+            pinned_[row_[i]] = 1;
+            matrix_.column.push_back(row_[i]);
+            matrix_.value.push_back(laplacianConstants_.laplacianFactor(lattice_.dimensions) * laplacianConstants_.n0);
+        }
+        matrix_.rowStart.push_back(static_cast<int>(matrix_.column.size()));
+    }
+    groups_.find(matrix_, pinned_);
+    bool const changed = !stableRows_ || matrixGeneration_ != particles.generation();
+    matrixGeneration_ = particles.generation();
+    solver_->setMatrix(matrix_, changed);
+}
+
+SolveReport PressureEquation::solveRows(ParticleSet const& particles, Field<Real>& pressure, Real tolerance)
+{
+    groups_.makeCompatible(right_);
+    SolveReport report;
+    try
+    {
+        report = solver_->solve(right_, solution_, tolerance);
+    }
+    catch (CaseError const& error)
+    {
+        explain(error, particles);
+    }
+    groups_.shift(solution_);
+    std::fill(pressure.begin(), pressure.end(), 0);
+    for (std::size_t row = 0; row < particle_.size(); ++row) pressure[particle_[row]] = solution_[row];
+    return report;
+}
+
+SolveReport PressureEquation::solve(ParticleSet& particles, NeighbourList const& neighbours, Step const& step)
+{
+    right_.resize(particle_.size());
+    solution_.resize(particle_.size());
+    for (std::size_t row = 0; row < particle_.size(); ++row)
+    {
+        int const i = particle_[row];
+        bool const unknown = isUnknown(particles, i);
+        right_[row] = unknown ? -source_.evaluate(particles, neighbours, gradientConstants_, step, i) : 0;
+        solution_[row] = unknown ? particles.p[i] : 0;
+    }
+    return solveRows(particles, particles.p, controls_.tolerance);
+}
+
+SolveReport PressureEquation::response(ParticleSet const& particles, NeighbourList const& neighbours, Field<Vector> const& acceleration,
+                                       Field<Real>& pressure)
+{
+    right_.assign(particle_.size(), 0);
+    solution_.assign(particle_.size(), 0);
+    Real const factor = lattice_.dimensions / gradientConstants_.n0;
+    Real const* const w = neighbours.gradientWeight();
+    int const boundary = particles.boundary().last;
+    auto const of = [&](int j) { return j < boundary ? acceleration[j] : Vector(Vector::Zero()); };
+    for (std::size_t row = 0; row < particle_.size(); ++row)
+    {
+        int const i = particle_[row];
+        if (!isUnknown(particles, i)) continue;
+        Real sum = 0; // div a, eq 5: rho div(u* + dt a)/dt has the part rho div a
+        for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
+        {
+            int const j = neighbours.index()[k];
+            if (j >= boundary && i >= boundary) continue;
+            Vector const rij = particles.r[j] - particles.r[i];
+            sum += w[k] * (of(j) - of(i)).dot(rij) / (rij.squaredNorm() + tiny);
+        }
+        right_[row] = -density_ * factor * sum;
+    }
+    pressure.resize(particles.r.size());
+    return solveRows(particles, pressure, std::max(controls_.tolerance, responseTolerance));
+}
+
+void PressureEquation::explain(CaseError const& error, ParticleSet const& particles) const
+{
+    auto const worst = std::max_element(right_.begin(), right_.end(), [](Real a, Real b) { return !(std::abs(a) >= std::abs(b)); });
+    std::ostringstream text;
+    text << "pressure equation: " << error.what();
+    if (worst != right_.end())
+    {
+        int const i = particle_[static_cast<std::size_t>(worst - right_.begin())];
+        Vector const r = particles.r[i];
+        text << "\n    largest right side at particle " << particles.id[i] << " at (" << r.x() << ' ' << r.y() << ' ' << r.z()
+             << "), |u| = " << particles.u[i].norm() << " m/s, n/n0 = " << particles.n[i];
+    }
+    throw CaseError(error.code(), text.str(), "a smaller maxDeltaT or maxCo, or another scheme of system/mpsSchemes, may help");
+}
+
+} // namespace mpsDem

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+
+#include "particles/PeriodicImages.h"
+#include "pressure/LinearSolver.h"
+#include "pressure/PressureGroups.h"
+#include "pressure/PressureSource.h"
+
+namespace mpsDem {
+
+/// Eq 8: the pressure Poisson equation of a step, one row per wet particle.
+///
+/// \f[ \frac{2d}{n^0\lambda}\sum_{j} w_{ij}\,(p_i - p_j) = -b_i \f]
+/// over fluid and wet wall particles j. Surface particles have p = 0 (Dirichlet), dry walls and ghosts no place in it. The matrix is a
+/// symmetric M-matrix. Groups of particles without any p = 0 in reach (a closed box, an island in flight) are found by a flood fill:
+/// up to three particles get p = 0, larger groups have their right side made compatible and their lowest pressure set to zero.
+class PressureEquation
+{
+public:
+    /// @param solver    `solvers { p {...} }` of system/mpsSolution.
+    /// @param constants Of the gradient radius (eq 5) and of the Laplacian radius (eq 6).
+    PressureEquation(Dictionary const& solver, PressureSource const& source, Lattice const& lattice, Real density,
+                     ReferenceConstants const& gradientConstants, ReferenceConstants const& laplacianConstants);
+    ~PressureEquation();
+
+    /// Builds the matrix for the present positions and labels.
+    void assemble(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images);
+
+    /// Solves for particles.p of all owned particles (not clamped), from uStar and n. p of particles without a row becomes zero.
+    /// @throw CaseError Solver or NotFinite, naming particle and place.
+    SolveReport solve(ParticleSet& particles, NeighbourList const& neighbours, Step const& step);
+
+    /// Pressure that a unit of wall acceleration causes, at the end of a step of given matrix: for the added mass of bodies.
+    /// @param acceleration  Of every boundary particle [m/s2], length boundary().last.
+    /// @param pressure      Result for all owned particles [Pa].
+    SolveReport response(ParticleSet const& particles, NeighbourList const& neighbours, Field<Vector> const& acceleration,
+                         Field<Real>& pressure);
+
+    [[nodiscard]] int unknowns() const { return unknowns_; }
+    /// Groups without a free surface in the last matrix.
+    [[nodiscard]] int closedGroups() const { return groups_.count(); }
+    /// Forgets what was set up from earlier matrices: called where a checkpoint is written, so that both runs go on alike.
+    void forget() { matrixGeneration_ = -1; }
+
+private:
+    void chooseRows(ParticleSet const& particles, NeighbourList const& neighbours);
+    void appendRow(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images, int i);
+    [[nodiscard]] bool isUnknown(ParticleSet const& particles, int i) const;
+    SolveReport solveRows(ParticleSet const& particles, Field<Real>& pressure, Real tolerance);
+    [[noreturn]] void explain(CaseError const& error, ParticleSet const& particles) const;
+
+    PressureSource source_;
+    Lattice lattice_;
+    Real density_;
+    ReferenceConstants gradientConstants_, laplacianConstants_;
+    SolverControls controls_;
+    std::unique_ptr<LinearSolver> solver_;
+    bool stableRows_ = false; ///< One row per fluid and wall particle (identity where known), so that a hierarchy can be kept.
+    int matrixGeneration_ = -1;
+    int unknowns_ = 0;
+    Field<int> row_;      ///< Row of each owned particle, -1 without.
+    Field<int> particle_; ///< Particle of each row.
+    SparseMatrix matrix_;
+    Field<std::uint8_t> pinned_; ///< Per row: coupled to a particle with p = 0.
+    PressureGroups groups_;
+    Field<Real> right_, solution_;
+    std::vector<std::pair<int, Real>> entries_;
+};
+
+} // namespace mpsDem

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bodies/RigidBody.h"
+#include "core/Dictionary.h"
+#include "core/Polyline.h"
+#include "core/State.h"
+#include "particles/Lattice.h"
+
+namespace mpsDem {
+
+/// Shape of a rigid body as the case gives it.
+struct BodyShape
+{
+    std::string name;
+    Polyline outline;          ///< In space, without displacement; a cylinder as a polygon.
+    Real radius = 0;           ///< Of a cylinder [m]; 0 for others.
+    MassProperties properties; ///< For a density of 1 kg/m3.
+    Quaternion orientation;    ///< Of the body axes.
+    Location where;
+};
+
+/// Reads the shapes of constant/rigidBodyProperties, `bodies { slide { shape { ... } ... } }`, in the order of the file.
+///
+/// | shape type | key           | meaning                                | unit | default |
+/// |------------|---------------|----------------------------------------|------|---------|
+/// | polygon    | points        | corners in any sense of rotation       | m    | none    |
+/// | box        | min, max      | opposite corners                       | m    | none    |
+/// | cylinder   | centre radius | a disc in 2-D, its axis along z        | m    | none    |
+///
+/// The shape stands where the body is at the start. @throw CaseError for an unknown type (with the nearest), a polygon that crosses itself
+/// or has no area, a box without size.
+std::vector<BodyShape> readBodyShapes(Dictionary const& rigidBodyProperties, Lattice const& lattice);
+
+/// The bodies at their start, in the order of the file; refuses keys that nobody knows.
+std::vector<std::unique_ptr<RigidBody>> readBodies(Dictionary const& rigidBodyProperties, Lattice const& lattice, Real time);
+
+/// The bodies of a saved state: built from the dictionary, then loaded.
+/// @throw CaseError where the state was made with other bodies or another order of them.
+std::vector<std::unique_ptr<RigidBody>> readBodies(Dictionary const& rigidBodyProperties, State const& state, Lattice const& lattice);
+
+/// The outline in body axes from the centre of mass, R^T (x - centreOfMass). It does not depend on where the body is by now.
+Polyline outlineInBodyAxes(BodyShape const& shape, RigidBody const& body);
+
+} // namespace mpsDem

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace mpsDem {
+
+/// What a scene simulates and what not, and why: the list at the head of the log.
+class Effects
+{
+public:
+    void add(std::string const& name, bool on, std::string const& why) { entries_.push_back({name, on, why}); }
+    void print(std::ostream& os) const;
+    /// "name on|off why" of each, for the manifest of a checkpoint.
+    [[nodiscard]] std::vector<std::string> lines() const;
+
+private:
+    struct Entry
+    {
+        std::string name;
+        bool on;
+        std::string why;
+    };
+    std::vector<Entry> entries_;
+};
+
+/// The bill at the end of the log: seconds, share and microseconds per particle-step of every stage, then of every effect. The shares sum
+/// to 100 %: what no stage counted is the line "rest".
+/// @param total          Wall-clock seconds of the time loop.
+/// @param particleSteps  Particles times steps, summed.
+void printBill(std::ostream& os, double total, double particleSteps);
+
+} // namespace mpsDem

@@ -1,0 +1,221 @@
+#include "scene/FluidStage.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "boundaries/BoundaryPressure.h"
+#include "core/Log.h"
+#include "core/Timers.h"
+
+namespace mpsDem {
+
+namespace {
+
+/// Share of the fluid that may be lost before the run is stopped.
+constexpr Real largestLoss = 1e-3;
+
+Radii readRadii(Dictionary const& schemes, SchemeSet set, Lattice const& lattice)
+{
+    Dictionary const kernel = schemes.subDictOrEmpty("kernel");
+    static_cast<void>(kernel.getWordOr("type", "zhang", {"zhang"}, "kernels"));
+    Real const gradient = kernel.getInRangeOr("gradient", 2.1, 1.2, 6);
+    Real const laplacian = kernel.getInRangeOr("laplacian", set == SchemeSet::Paper ? 4.01 : 2.1, 1.2, 6);
+    return {gradient * lattice.spacing, laplacian * lattice.spacing};
+}
+
+PeriodicImages readImages(Dictionary const& schemes)
+{
+    Dictionary const cyclic = schemes.subDictOrEmpty("cyclic");
+    Vector const none = Vector::Zero();
+    return {cyclic.getOr<Vector>("min", none), cyclic.getOr<Vector>("max", none)};
+}
+
+} // namespace
+
+FluidStage::FluidStage(ParticleSet& particles, std::vector<Polyline> const& walls, FluidSetup const& setup, Ledger& ledger)
+    : particles_(particles),
+      walls_(walls),
+      gravity_(setup.gravity),
+      radii_(readRadii(setup.schemes, readSchemeSet(setup.schemes), particles.lattice())),
+      labeller_(BoundaryLabeller::read(setup.schemes.subDictOrEmpty("boundarySchemes"), particles.lattice())),
+      neighbours_(radii_, labeller_->needsAllWalls()),
+      images_(readImages(setup.schemes)),
+      fluid_(setup.schemes, readSchemeSet(setup.schemes), particles.lattice(), radii_, setup.density, setup.nu, setup.gravity,
+             setup.largestDt, ledger)
+{
+    PressureSource const source(setup.schemes.subDictOrEmpty("sourceSchemes"), readSchemeSet(setup.schemes), setup.density);
+    pressure_ =
+        std::make_unique<PressureEquation>(setup.solution.subDictOrEmpty("solvers").subDictOrEmpty("p"), source, particles.lattice(),
+                                           setup.density, fluid_.gradientConstants(), fluid_.laplacianConstants());
+    low_ = high_ = particles.size() > 0 ? particles.r.front() : Vector(Vector::Zero());
+    for (Vector const& r : particles.r)
+    {
+        low_ = low_.cwiseMin(r);
+        high_ = high_.cwiseMax(r);
+    }
+    Real const margin = (high_ - low_).norm();
+    low_ -= Vector::Constant(margin);
+    high_ += Vector::Constant(margin);
+    initialFluid_ = particles.fluid().size();
+    neighbourTimer_ = Timers::add("neighbours", "fluid");
+    densityTimer_ = Timers::add("number density", "fluid");
+    labelTimer_ = Timers::add("free surface and DBL", "fluid");
+    predictTimer_ = Timers::add("predictor", fluid_.viscosity() ? "viscosity" : "fluid");
+    assembleTimer_ = Timers::add("pressure: assembly", "pressure");
+    solveTimer_ = Timers::add("pressure: solve", "pressure");
+    boundaryTimer_ = Timers::add("boundary pressure", "pressure");
+    gradientTimer_ = Timers::add("gradient and motion", "fluid");
+    collisionTimer_ = fluid_.collision() ? Timers::add("collision", "collision") : -1;
+    shiftTimer_ = fluid_.shifting() ? Timers::add("shifting", "shifting") : -1;
+}
+
+FluidStage::~FluidStage() = default;
+
+void FluidStage::updateNeighbours(Step const& step)
+{
+    Timers::Scope const timer(Timers::stage(neighbourTimer_));
+    images_.wrap(particles_);
+    if (step.number % sortInterval == 1) sortAndCheck(step);
+    images_.rebuild(particles_, radii_.largest());
+    neighbours_.update(particles_);
+}
+
+void FluidStage::label()
+{
+    {
+        Timers::Scope const timer(Timers::stage(densityTimer_));
+        numberDensity(particles_, neighbours_, fluid_.gradientConstants());
+    }
+    Timers::Scope const timer(Timers::stage(labelTimer_));
+    images_.update(particles_.n, particles_.halo());
+    images_.update(particles_.F, particles_.halo());
+    fluid_.freeSurface().mark(particles_, neighbours_, fluid_.gradientConstants());
+    images_.update(particles_.surface, particles_.halo());
+    markNearSurface(particles_, neighbours_);
+    images_.update(particles_.surface, particles_.halo());
+    labeller_->label(particles_, neighbours_, fluid_.gradientConstants());
+    images_.update(particles_.wet, particles_.halo());
+}
+
+void FluidStage::predict(Step const& step)
+{
+    Timers::Scope const timer(Timers::stage(predictTimer_));
+    fluid_.predict(particles_, neighbours_, step.dt);
+    images_.update(particles_.uStar, particles_.halo());
+}
+
+SolveReport FluidStage::solvePressure(Step const& step)
+{
+    {
+        Timers::Scope const timer(Timers::stage(assembleTimer_));
+        pressure_->assemble(particles_, neighbours_, images_);
+    }
+    Timers::Scope const timer(Timers::stage(solveTimer_));
+    return pressure_->solve(particles_, neighbours_, step);
+}
+
+void FluidStage::correct(Step const& step)
+{
+    {
+        Timers::Scope const timer(Timers::stage(boundaryTimer_));
+        fluid_.clampPressure(particles_, neighbours_);
+        extrapolateBoundaryPressure(particles_, neighbours_, gravity_, fluid_.density(), positivePressure());
+        images_.update(particles_.p, particles_.halo());
+        images_.update(particles_.mirror, particles_.halo());
+    }
+    {
+        Timers::Scope const timer(Timers::stage(gradientTimer_));
+        fluid_.correct(particles_, neighbours_, step.dt);
+        checkFinite(step);
+    }
+    if (collisionTimer_ >= 0)
+    {
+        Timers::Scope const timer(Timers::stage(collisionTimer_));
+        images_.update(particles_.u, particles_.halo());
+        fluid_.collide(particles_, neighbours_, step.dt);
+    }
+    if (shiftTimer_ >= 0)
+    {
+        Timers::Scope const timer(Timers::stage(shiftTimer_));
+        fluid_.shift(particles_, neighbours_);
+    }
+    particles_.dropHalo();
+}
+
+void FluidStage::checkFinite(Step const& step) const
+{
+    Real sum = 0;
+    for (int i : particles_.fluid()) sum += particles_.u[i].squaredNorm() + std::abs(particles_.p[i]);
+    if (std::isfinite(sum)) return;
+    for (int i : particles_.fluid())
+    {
+        if (particles_.u[i].allFinite() && std::isfinite(particles_.p[i])) continue;
+        Vector const before = particles_.r[i] - step.dt * particles_.u[i];
+        std::ostringstream text;
+        text << "time " << step.time << " s, step " << step.number << ": velocity or pressure of particle " << particles_.id[i]
+             << " is not a finite number: u = (" << particles_.u[i].transpose() << ") m/s, p = " << particles_.p[i] << " Pa, near ("
+             << before.transpose() << ')';
+        throw CaseError(ExitCode::NotFinite, text.str(), "the last checkpoint is whole; a smaller maxCo or maxDeltaT may help");
+    }
+    throw CaseError(ExitCode::NotFinite, "time " + std::to_string(step.time) + " s: velocities are too large to be summed",
+                    "the last checkpoint is whole; a smaller maxCo or maxDeltaT may help");
+}
+
+bool FluidStage::hasEscaped(int i) const
+{
+    Vector const& r = particles_.r[i];
+    if ((r.array() < low_.array()).any() || (r.array() > high_.array()).any()) return true;
+    for (Polyline const& wall : walls_)
+    {
+        Polyline::Closest const nearest = wall.closest(r);
+        if (nearest.distance < -particles_.lattice().spacing && !nearest.atVertex) return true;
+    }
+    return false;
+}
+
+void FluidStage::sortAndCheck(Step const& step)
+{
+    particles_.dropHalo();
+    int const first = particles_.fluid().first;
+    CellGrid grid;
+    std::span<Vector const> const fluid(particles_.r.data() + first, static_cast<std::size_t>(particles_.fluid().size()));
+    grid.build(fluid, radii_.largest(), particles_.lattice().dimensions);
+    Field<int> order;
+    order.reserve(grid.order().size());
+    for (int const k : grid.order())
+    {
+        if (!hasEscaped(first + k))
+        {
+            order.push_back(first + k);
+            continue;
+        }
+        ++escaped_;
+        std::ostringstream text;
+        text << "time " << step.begin() << " s: particle " << particles_.id[first + k] << " left the domain at ("
+             << particles_.r[first + k].transpose() << ") and is taken out; " << escaped_ << " so far";
+        warn(text.str(), "escaped", 10);
+    }
+    particles_.reorderFluid(order);
+    if (static_cast<Real>(escaped_) > largestLoss * static_cast<Real>(initialFluid_))
+        throw CaseError(ExitCode::Solver, std::to_string(escaped_) + " of " + std::to_string(initialFluid_) + " fluid particles were lost",
+                        "a wall has a gap, or the run is unstable; allowed are " + std::to_string(largestLoss * 100) + " %");
+}
+
+void FluidStage::save(State& state) const
+{
+    state.set("fluid/escaped", escaped_);
+    state.set("fluid/initial", initialFluid_);
+    state.set("fluid/low", low_);
+    state.set("fluid/high", high_);
+}
+
+void FluidStage::load(State const& state)
+{
+    if (!state.has("fluid/escaped")) return; // the initial state
+    escaped_ = state.integer("fluid/escaped");
+    initialFluid_ = state.integer("fluid/initial");
+    low_ = state.vector("fluid/low");
+    high_ = state.vector("fluid/high");
+}
+
+} // namespace mpsDem

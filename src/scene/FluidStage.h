@@ -1,0 +1,82 @@
+#pragma once
+
+#include <memory>
+
+#include "boundaries/BoundaryLabeller.h"
+#include "coupling/FluidBodyCoupling.h"
+#include "fluid/Fluid.h"
+#include "fluid/TimeStep.h"
+#include "particles/PeriodicImages.h"
+#include "pressure/PressureEquation.h"
+
+namespace mpsDem {
+
+/// Dictionaries and constants that the fluid part of a scene is built from.
+struct FluidSetup
+{
+    Dictionary schemes;  ///< system/mpsSchemes.
+    Dictionary solution; ///< system/mpsSolution.
+    Real density;        ///< [kg/m3].
+    Real nu;             ///< [m2/s].
+    Vector gravity;      ///< [m/s2].
+    Real largestDt;      ///< [s].
+};
+
+/// Fluid, boundaries and pressure: the stages of a step that a scene with fluid has.
+class FluidStage
+{
+public:
+    FluidStage(ParticleSet& particles, std::vector<Polyline> const& walls, FluidSetup const& setup, Ledger& ledger);
+    ~FluidStage();
+
+    /// Body particles have moved: periodic images, order in space, neighbours at r^n, number density.
+    void updateNeighbours(Step const& step);
+    /// Free surface, then DBL.
+    void label();
+    /// u* of the fluid. @pre uStar of moving boundary particles is set.
+    void predict(Step const& step);
+    /// Eq 8.
+    SolveReport solvePressure(Step const& step);
+    /// Clamped pressure, pressure of the boundary, eq 4, motion, collision, shifting.
+    void correct(Step const& step);
+
+    [[nodiscard]] ParticleSet& particles() { return particles_; }
+    [[nodiscard]] NeighbourList const& neighbours() const { return neighbours_; }
+    [[nodiscard]] PressureEquation& pressure() { return *pressure_; }
+    [[nodiscard]] Fluid const& fluid() const { return fluid_; }
+    [[nodiscard]] BoundaryLabeller const& labeller() const { return *labeller_; }
+    [[nodiscard]] bool positivePressure() const { return fluid_.negativePressure() == NegativePressure::Clamp; }
+
+    /// Particles taken out because they left the domain or went through a wall, since the start.
+    [[nodiscard]] std::int64_t escaped() const { return escaped_; }
+
+    /// Called where a state is written: forgets what a restarted run would not have.
+    void forget() { pressure_->forget(); }
+    void save(State& state) const;
+    void load(State const& state);
+
+    /// Steps between two sortings of the fluid in space.
+    static constexpr int sortInterval = 50;
+
+private:
+    void sortAndCheck(Step const& step);
+    [[nodiscard]] bool hasEscaped(int i) const;
+    void checkFinite(Step const& step) const;
+
+    ParticleSet& particles_;
+    std::vector<Polyline> const& walls_;
+    Vector gravity_;
+    Radii radii_;
+    std::unique_ptr<BoundaryLabeller> labeller_;
+    NeighbourList neighbours_;
+    PeriodicImages images_;
+    Fluid fluid_;
+    std::unique_ptr<PressureEquation> pressure_;
+    Vector low_, high_; ///< Box beyond which a particle is lost [m].
+    std::int64_t escaped_ = 0;
+    std::int64_t initialFluid_ = 0;
+    int neighbourTimer_, densityTimer_, labelTimer_, predictTimer_, assembleTimer_, solveTimer_, boundaryTimer_, gradientTimer_,
+        collisionTimer_, shiftTimer_;
+};
+
+} // namespace mpsDem

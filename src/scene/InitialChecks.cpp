@@ -1,0 +1,98 @@
+#include "scene/InitialChecks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "boundaries/SegmentTree.h"
+#include "core/Errors.h"
+
+namespace mpsDem {
+
+namespace {
+
+constexpr Real deepestInWall = 0.5;  ///< Greatest overlap of a body and a wall, in spacings.
+constexpr Real deepestInBody = 0.05; ///< Of two bodies.
+
+std::string text(Real value)
+{
+    std::ostringstream out;
+    out << value;
+    return out.str();
+}
+
+std::string text(Vector const& r) { return "(" + text(r.x()) + " " + text(r.y()) + " " + text(r.z()) + ")"; }
+
+} // namespace
+
+Gap gapTo(Polyline const& outline, std::vector<Polyline> const& surfaces, Real spacing)
+{
+    Gap gap;
+    gap.distance = std::numeric_limits<Real>::infinity();
+    if (surfaces.empty()) return gap;
+    SegmentTree const tree(surfaces);
+    auto const keep = [&](Real distance, Vector const& place, Vector const& normal, int other) {
+        if (distance < gap.distance) gap = {distance, place, normal, other};
+    };
+    for (auto const& segment : outline.segments())
+    {
+        int const parts = std::max(1, static_cast<int>(std::ceil(segment.length / (0.25 * spacing))));
+        for (int i = 0; i < parts; ++i)
+        {
+            Vector const q = segment.a + (segment.length * i / parts) * segment.tangent;
+            auto const near = tree.nearest(q);
+            auto const& item = tree.item(near.item);
+            Polyline const& surface = surfaces[static_cast<std::size_t>(item.chain)];
+            bool const atOpenEnd = !surface.closed() && (near.point == surface.points().front() || near.point == surface.points().back());
+            keep(atOpenEnd ? std::abs(near.distance) : near.distance, q, item.segment.normal, item.chain);
+        }
+    }
+    for (std::size_t k = 0; k < surfaces.size(); ++k)
+        for (Vector const& corner : surfaces[k].points())
+        {
+            auto const near = outline.closest(corner);
+            keep(near.distance, corner, -outline.segments()[static_cast<std::size_t>(near.segment)].normal, static_cast<int>(k));
+        }
+    return gap;
+}
+
+void checkPlacement(SceneDefinition const& definition, std::vector<Polyline> const& surfaces, std::vector<Polyline> const& bodies)
+{
+    Real const spacing = definition.lattice.spacing;
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+    {
+        Location const& where = definition.shapes[k].where;
+        Gap const toWall = gapTo(bodies[k], surfaces, spacing);
+        if (toWall.other >= 0)
+            require(toWall.distance >= -deepestInWall * spacing, where,
+                    "body \"" + bodies[k].name() + "\" reaches " + text(-toWall.distance) + " m into wall \"" +
+                        surfaces[static_cast<std::size_t>(toWall.other)].name() + "\" at " + text(toWall.place),
+                    "no more than half a spacing, " + text(deepestInWall * spacing) + " m");
+        for (std::size_t other = 0; other < k; ++other)
+        {
+            Gap const between = gapTo(bodies[k], {bodies[other]}, spacing);
+            require(between.distance >= -deepestInBody * spacing, where,
+                    "bodies \"" + bodies[other].name() + "\" and \"" + bodies[k].name() + "\" overlap by " + text(-between.distance) +
+                        " m at " + text(between.place),
+                    "no more than " + text(deepestInBody * spacing) + " m");
+        }
+    }
+}
+
+void checkFilling(SceneDefinition const& definition, FluidFilling const& fluid)
+{
+    Field<int> left(definition.regions.size(), 0);
+    for (int const region : fluid.region) ++left[static_cast<std::size_t>(region)];
+    for (std::size_t k = 0; k < definition.regions.size(); ++k)
+    {
+        Region const& region = *definition.regions[k];
+        require(fluid.count[k] > 0, region.where, region.type + " holds no particle",
+                "a region wider than the spacing of " + text(definition.lattice.spacing) + " m that is not covered by those behind it");
+        require(left[k] > 0, region.where,
+                "all " + std::to_string(fluid.count[k]) + " particles of " + region.type + " lie within bodies or behind walls",
+                "a region with fluid outside of solids; see fluidSide of the walls");
+    }
+}
+
+} // namespace mpsDem

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/Polyline.h"
+#include "core/Types.h"
+#include "scene/InitialState.h"
+
+namespace mpsDem {
+
+/// Least signed distance of one body from walls or from another body: negative where they overlap.
+struct Gap
+{
+    Real distance = 0; ///< [m]
+    Vector place = Vector::Zero();
+    Vector normal = Vector::Zero(); ///< Of the wall or body there.
+    int other = -1;                 ///< Number of the wall or body.
+};
+
+/// Nearest approach of an outline to surfaces: corners and points of its segments at most a quarter of a spacing apart against the
+/// surfaces, and corners of the surfaces against the outline. Beside the end of an open surface nothing overlaps. `other` is -1 where there
+/// are no surfaces.
+Gap gapTo(Polyline const& outline, std::vector<Polyline> const& surfaces, Real spacing);
+
+/// Refuses bodies that reach more than half a spacing into a wall or more than 0.05 spacings into each other.
+void checkPlacement(SceneDefinition const& definition, std::vector<Polyline> const& surfaces, std::vector<Polyline> const& bodies);
+
+/// Refuses a region without a lattice point and fluid of which nothing is left beside the solids.
+void checkFilling(SceneDefinition const& definition, FluidFilling const& fluid);
+
+} // namespace mpsDem

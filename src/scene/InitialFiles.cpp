@@ -1,0 +1,80 @@
+#include "scene/InitialFiles.h"
+
+#include <cstdint>
+#include <numeric>
+
+#include "io/Checkpoint.h"
+#include "io/Crc32c.h"
+#include "io/OutputFile.h"
+#include "io/VtkFile.h"
+
+namespace mpsDem {
+
+namespace {
+
+void writeParticles(std::filesystem::path const& path, InitialScene const& scene, Real time)
+{
+    ParticleSet const& particles = scene.particles;
+    std::vector<std::uint8_t> type(particles.type.size(), 0);
+    std::vector<int> wall(particles.type.size(), -1);
+    for (int const i : particles.boundary())
+    {
+        auto const k = static_cast<std::size_t>(i);
+        type[k] = particles.type[k] == ParticleType::Ghost ? 3 : particles.wet[k] != 0 ? 1 : 2;
+        wall[k] = scene.wallOf[k];
+    }
+    PointCloud cloud;
+    cloud.position = particles.r;
+    cloud.vectors.emplace_back("U", particles.u);
+    cloud.scalars.emplace_back("p", particles.p);
+    cloud.integers.emplace_back("id", std::span<std::int64_t const>(particles.id));
+    cloud.integers.emplace_back("type", std::span<std::uint8_t const>(type));
+    cloud.integers.emplace_back("body", std::span<int const>(particles.body));
+    cloud.integers.emplace_back("wall", std::span<int const>(wall));
+    writePointCloud(path, cloud, time);
+}
+
+void writeOutline(std::filesystem::path const& path, Polyline const& outline, Real time)
+{
+    SurfaceCells surface;
+    surface.points = outline.points();
+    std::vector<std::int64_t> corners(outline.points().size());
+    std::iota(corners.begin(), corners.end(), 0);
+    surface.polygons.push_back(std::move(corners));
+    writeSurface(path, surface, time);
+}
+
+} // namespace
+
+std::string inputFingerprint(CaseFolder const& caseFolder, std::filesystem::path const& setParticlesDict)
+{
+    std::string bytes;
+    for (std::filesystem::path const& file :
+         {setParticlesDict, std::filesystem::path("constant/particleProperties"), std::filesystem::path("constant/rigidBodyProperties"),
+          std::filesystem::path("constant/transportProperties"), std::filesystem::path("constant/g")})
+    {
+        std::filesystem::path const path = file.is_absolute() ? file : caseFolder.root() / file;
+        if (std::filesystem::exists(path)) bytes += readBytes(path);
+        bytes += '\0';
+    }
+    return crcText(crc32c(bytes));
+}
+
+void writeInitialFiles(CaseFolder const& caseFolder, SceneDefinition const& definition, InitialScene const& scene,
+                       std::string const& report, std::string const& fingerprint)
+{
+    std::filesystem::path const folder = caseFolder.root() / timeName(definition.startTime);
+    CheckpointInfo info;
+    info.time = definition.startTime;
+    info.codeVersion = MPSDEM_VERSION;
+    info.inputHash = fingerprint;
+    if (!definition.regions.empty()) info.effects.emplace_back("fluid");
+    if (!definition.walls.empty()) info.effects.emplace_back("walls");
+    if (!definition.bodies.empty()) info.effects.emplace_back("bodies");
+    writeInitialState(folder, scene.state(definition), info);
+    if (scene.particles.size() > 0) writeParticles(folder / "particles.vtp", scene, definition.startTime);
+    for (Polyline const& outline : scene.placed) writeOutline(folder / (outline.name() + ".vtp"), outline, definition.startTime);
+    atomicWrite(folder / "report.txt", report);
+}
+
+} // namespace mpsDem

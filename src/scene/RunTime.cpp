@@ -1,0 +1,139 @@
+#include "scene/RunTime.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <sstream>
+
+namespace mpsDem {
+
+namespace {
+
+/// Share of a step by which a time may be missed and still count as met.
+constexpr Real meets = 1e-6;
+constexpr Real never = std::numeric_limits<Real>::infinity();
+
+} // namespace
+
+RunTime::RunTime(Dictionary const& dict)
+    : startFrom_(dict.getWordOr("startFrom", "latestTime", {"firstTime", "startTime", "latestTime"}, "start times")),
+      startTime_(dict.getInRangeOr("startTime", 0, -1e12, 1e12))
+{
+    reread(dict);
+    purgeWrite_ = static_cast<int>(dict.getInRangeOr("purgeWrite", 2, 0, 1e6));
+    maxClockTime_ = dict.getInRangeOr("maxClockTime", 0, 0, 1e12);
+    checkpointInterval_ = dict.getInRangeOr("checkpointInterval", 600, 0, 1e12);
+    timePrecision_ = static_cast<int>(dict.getInRangeOr("timePrecision", 6, 1, 15));
+    time_ = startTime_;
+    static_cast<void>(dict.getWordOr("timeFormat", "general", {"general"}, "time formats"));
+    static_cast<void>(dict.getWordOr("writeFormat", "binary", {"binary", "ascii"}, "write formats"));
+    for (char const* key : {"application", "writePrecision", "writeCompression", "runTimeModifiable"}) dict.ignore(key);
+    lastClockWrite_ = clock();
+}
+
+void RunTime::reread(Dictionary const& dict)
+{
+    Real const endTime = dict.getInRange("endTime", -1e12, 1e12);
+    require(endTime >= startTime_, dict.where("endTime"), "endTime lies before startTime", "endTime >= startTime");
+    std::string const control =
+        dict.getWordOr("writeControl", "adjustableRunTime",
+                       {"timeStep", "runTime", "adjustable", "adjustableRunTime", "cpuTime", "clockTime", "none"}, "write controls");
+    Real const interval = dict.getInRangeOr("writeInterval", std::max(endTime - startTime_, Real(1e-12)), 1e-12, 1e12);
+    std::string const stop = dict.getWordOr("stopAt", "endTime", {"endTime", "writeNow", "noWriteNow", "nextWrite"}, "stop times");
+    endTime_ = endTime;
+    writeInterval_ = interval;
+    writeControl_ = control == "timeStep"    ? WriteControl::TimeStep
+                    : control == "runTime"   ? WriteControl::RunTime
+                    : control == "cpuTime"   ? WriteControl::CpuTime
+                    : control == "clockTime" ? WriteControl::ClockTime
+                    : control == "none"      ? WriteControl::None
+                                             : WriteControl::Adjustable;
+    stopping_ = stopping_ || stop == "writeNow" || stop == "noWriteNow";
+    stopAtWrite_ = stop == "nextWrite";
+}
+
+Real RunTime::clock() const
+{
+    if (writeControl_ == WriteControl::CpuTime) return static_cast<Real>(std::clock()) / CLOCKS_PER_SEC;
+    return std::chrono::duration<Real>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+bool RunTime::running() const { return !stopping_ && time_ < endTime_ - 1e-10 * std::max(Real(1), std::abs(endTime_)); }
+
+Real RunTime::nextWriteTime() const
+{
+    bool const byTime = writeControl_ == WriteControl::Adjustable || writeControl_ == WriteControl::RunTime;
+    if (!byTime) return never;
+    Real const done = std::floor((time_ - startTime_) / writeInterval_ + meets);
+    return startTime_ + (done + 1) * writeInterval_;
+}
+
+Step RunTime::next(Real wanted, bool fixed, Real observed)
+{
+    lastDt_ = wanted;
+    Real dt = std::min(wanted, endTime_ - time_);
+    Real target = std::min(observed, endTime_);
+    if (writeControl_ == WriteControl::Adjustable) target = std::min(target, nextWriteTime());
+    if (!fixed)
+    {
+        // Equal steps up to the target, as OpenFOAM does it.
+        Real const steps = std::max(Real(1), std::ceil((target - time_) / wanted - meets));
+        dt = (target - time_) / steps;
+    }
+    Step step{number_ + 1, time_ + dt, dt, false};
+    // A target that is met is met to the last bit: times do not drift.
+    if (std::abs(step.time - target) < meets * dt) step.time = target;
+    step.write = writesAt(step.number, step.time);
+    return step;
+}
+
+bool RunTime::writesAt(std::int64_t number, Real time) const
+{
+    switch (writeControl_)
+    {
+    case WriteControl::None:
+        return false;
+    case WriteControl::TimeStep:
+        return number % std::max<std::int64_t>(1, std::llround(writeInterval_)) == 0;
+    case WriteControl::Adjustable:
+    case WriteControl::RunTime:
+        return time >= nextWriteTime() - meets * lastDt_;
+    default:
+        return clock() - lastClockWrite_ >= writeInterval_;
+    }
+}
+
+void RunTime::advance(Step const& step)
+{
+    time_ = step.time;
+    number_ = step.number;
+    if (!step.write) return;
+    lastClockWrite_ = clock();
+    stopping_ = stopping_ || stopAtWrite_;
+}
+
+std::string RunTime::format(Real time) const
+{
+    std::ostringstream text;
+    text.precision(timePrecision_);
+    text << (std::abs(time) < 1e-14 ? 0.0 : time);
+    return text.str();
+}
+
+void RunTime::save(State& state) const
+{
+    state.set("time/value", time_);
+    state.set("time/step", number_);
+    state.set("time/lastDt", lastDt_);
+}
+
+void RunTime::load(State const& state)
+{
+    time_ = state.real("time/value");
+    number_ = state.integer("time/step");
+    lastDt_ = state.has("time/lastDt") ? state.real("time/lastDt") : 0;
+}
+
+} // namespace mpsDem

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/Polyline.h"
+#include "core/State.h"
+#include "core/Types.h"
+
+namespace mpsDem {
+
+/// What setParticles hands on beside particles and bodies: surfaces of walls and outlines of bodies, as blocks of the state.
+///
+/// | block                              | content                                                         |
+/// |------------------------------------|-----------------------------------------------------------------|
+/// | surface/<k>:<name>/points          | corners of wall k [m]                                           |
+/// | surface/<k>:<name>/closed          | 1 for a closed chain                                            |
+/// | surface/<k>:<name>/fluidSide       | 0 left, 1 right                                                 |
+/// | particles/wallOf                   | for each boundary particle the number k of its wall; -1: a body |
+/// | body/<name>/outline                | corners in body axes from the centre of mass [m]                |
+/// | body/<name>/radius                 | of a cylinder [m]; 0 for other shapes                           |
+/// | body/<name>/index                  | number of the body, as in particles/body                        |
+/// | time/value, time/step              | [s] and number of steps done                                    |
+
+/// Outline of a body in body axes.
+struct BodyOutline
+{
+    Polyline outline;
+    Real radius = 0; ///< Of a cylinder [m]; 0 for other shapes.
+};
+
+void saveSurfaces(State& state, std::vector<Polyline> const& surfaces);
+void saveOutline(State& state, std::string const& body, int index, BodyOutline const& outline);
+void saveWallOf(State& state, Field<int> const& wallOf);
+
+/// Walls in the order of `wallOf`, with their names; empty where the case has none.
+std::vector<Polyline> loadSurfaces(State const& state);
+BodyOutline loadOutline(State const& state, std::string const& body);
+/// @throw CaseError (InputOutput) where its length is not that of the boundary particles or a number is out of range.
+Field<int> loadWallOf(State const& state, std::size_t boundaryParticles, std::size_t surfaces);
+
+} // namespace mpsDem

@@ -1,0 +1,183 @@
+#include "scene/Scene.h"
+
+#include "core/Log.h"
+#include "core/Timers.h"
+#include "io/Checkpoint.h"
+#include "scene/BodyReader.h"
+
+namespace mpsDem {
+
+namespace {
+
+/// The state that a run starts from: `latestTime` the newest valid checkpoint, else (and for startTime and firstTime) the initial one.
+State findStart(CaseFolder const& caseFolder, RunTime const& time)
+{
+    if (time.startFrom() == "latestTime")
+    {
+        if (auto const latest = findLatest(caseFolder.root() / "checkpoint"))
+        {
+            info() << "Reading state from checkpoint/" << latest->filename().string() << '\n' << std::endl;
+            return readCheckpoint(*latest).state;
+        }
+    }
+    std::filesystem::path const folder = caseFolder.root() / timeName(time.startTime());
+    if (!std::filesystem::exists(folder / "MANIFEST"))
+        throw CaseError(ExitCode::BadInput, Location{timeName(time.startTime()), 0, {}}, "the case has no initial state",
+                        "run setParticles first");
+    info() << "Reading state from " << folder.filename().string() << "/\n" << std::endl;
+    return readCheckpoint(folder).state;
+}
+
+/// True where one of the function objects is of the type.
+bool asksFor(Dictionary const& functions, std::string const& type)
+{
+    for (std::string const& name : functions.dictKeys())
+        if (functions.subDict(name).getOr<std::string>("type", "") == type) return true;
+    return false;
+}
+
+} // namespace
+
+Scene::Scene(CaseFolder const& caseFolder, Options const& options)
+    : case_(caseFolder),
+      dicts_(caseFolder),
+      gravity_(readGravity(caseFolder)),
+      time_(std::make_unique<RunTime>(dicts_.control)),
+      timeStep_(std::make_unique<TimeStep>(dicts_.control, dicts_.lattice)),
+      particles_(dicts_.lattice)
+{
+    State const start = findStart(case_, *time_);
+    readStart(start);
+    if (dicts_.transport) buildFluid();
+    if (!bodies_.empty()) buildSolids();
+    output_ = std::make_unique<Output>(case_, particles_, bodies_, outlines_);
+
+    Real const density = fluid_ ? fluid_->fluid().density() : 0;
+    context_.reset(new RunContext{particles_, bodies_, surfaceNames_, wallOf_, ledger_, gravity_, density, case_.root(), time_->time()});
+    Dictionary const functions = dicts_.control.subDictOrEmpty("functions");
+    if (options.functionObjects)
+        observers_ = std::make_unique<FunctionObjects>(functions, *context_);
+    else
+        dicts_.control.ignore("functions");
+    observerTimer_ = observers_ && !observers_->empty() ? Timers::add("function objects", "function objects") : -1;
+    checkpointTimer_ = Timers::add("checkpoints", "output");
+    checkDictionaries();
+
+    if (start.has("time/lastDt"))
+    {
+        if (fluid_) fluid_->load(start);
+        if (solids_) solids_->load(start);
+        ledger_.load(start);
+        if (observers_) observers_->load(start);
+    }
+    output_->startAt(time_->time());
+    lastCheckpointClock_ = std::chrono::steady_clock::now();
+    listEffects();
+}
+
+Scene::~Scene() = default;
+
+void Scene::readStart(State const& start)
+{
+    time_->load(start);
+    particles_.load(start);
+    surfaces_ = loadSurfaces(start);
+    for (Polyline const& surface : surfaces_) surfaceNames_.push_back(surface.name());
+    wallOf_ = loadWallOf(start, static_cast<std::size_t>(particles_.boundary().size()), surfaces_.size());
+    if (dicts_.bodies) bodies_ = readBodies(*dicts_.bodies, start, dicts_.lattice);
+    for (auto const& body : bodies_) outlines_.push_back(loadOutline(start, body->name()).outline);
+}
+
+void Scene::buildFluid()
+{
+    require(particles_.fluid().size() > 0, dicts_.transport->where(), "the case has constant/transportProperties but no fluid particles",
+            "remove the file where there is no fluid, or run setParticles with a region");
+    Dictionary const& transport = *dicts_.transport;
+    static_cast<void>(transport.getWordOr("transportModel", "Newtonian", {"Newtonian"}, "transport models"));
+    FluidSetup setup;
+    setup.schemes = dicts_.schemes.value_or(Dictionary());
+    setup.solution = dicts_.solution.value_or(Dictionary());
+    setup.density = readFluidDensity(transport);
+    setup.nu = transport.found("nu") ? transport.getDimensioned("nu", {0, 2, -1, 0, 0, 0, 0}) : 0;
+    require(setup.nu >= 0, transport.where("nu"), "nu is negative", "a viscosity of 0 m2/s or more");
+    setup.gravity = gravity_;
+    setup.largestDt = timeStep_->largest();
+    fluid_ = std::make_unique<FluidStage>(particles_, surfaces_, setup, ledger_);
+    if (!asksFor(dicts_.control.subDictOrEmpty("functions"), "momentumBudget")) return;
+    for (Polyline const& surface : surfaces_) fixedSurfaces_.emplace_back(surface, dicts_.lattice, -1);
+    ledger_.impulse("impulse/walls");
+    ledger_.impulse("impulse/gravityOnFluid");
+}
+
+void Scene::buildSolids()
+{
+    std::unique_ptr<ContactModel> contacts;
+    std::vector<RigidBody*> pointers;
+    for (auto const& body : bodies_) pointers.push_back(body.get());
+    if (dicts_.contact)
+    {
+        std::vector<ContactShape> shapes;
+        for (Polyline const& outline : outlines_) shapes.push_back(ContactShape::polygon(outline));
+        contacts =
+            std::make_unique<ContactModel>(*dicts_.contact, dicts_.lattice.spacing, dicts_.lattice.thickness, surfaces_, pointers, shapes);
+    }
+    std::vector<FluidBodyCoupling> couplings;
+    if (fluid_)
+    {
+        Dictionary const solution = dicts_.solution.value_or(Dictionary());
+        auto const controls =
+            FluidBodyCoupling::readControls(solution.subDictOrEmpty("coupling"), dicts_.lattice, fluid_->positivePressure());
+        for (std::size_t k = 0; k < bodies_.size(); ++k)
+            couplings.emplace_back(*bodies_[k], static_cast<int>(k), outlines_[k], particles_, controls, gravity_,
+                                   fluid_->fluid().density());
+    }
+    solids_ = std::make_unique<SolidStage>(bodies_, std::move(contacts), std::move(couplings), gravity_, ledger_);
+}
+
+void Scene::checkDictionaries() const
+{
+    dicts_.control.requireAllRead();
+    if (dicts_.transport) dicts_.transport->requireAllRead();
+    if (dicts_.contact && solids_) dicts_.contact->requireAllRead();
+    if (dicts_.schemes && fluid_) dicts_.schemes->requireAllRead();
+    if (!dicts_.solution || !fluid_) return;
+    if (!solids_) dicts_.solution->ignore("coupling");
+    dicts_.solution->requireAllRead();
+}
+
+void Scene::listEffects()
+{
+    bool const fluid = fluid_ != nullptr, solids = solids_ != nullptr;
+    auto const yesNo = [](bool on, char const* yes, char const* no) { return std::string(on ? yes : no); };
+    effects_.add("fluid", fluid, yesNo(fluid, "constant/transportProperties", "no constant/transportProperties"));
+    if (fluid)
+    {
+        Fluid const& f = fluid_->fluid();
+        bool const viscous = f.viscosity() != nullptr;
+        effects_.add("viscosity", viscous,
+                     viscous ? std::string(f.viscosity()->name()) + ", mpsSchemes/viscositySchemes" : "type none or nu 0");
+        effects_.add("boundary labelling", !fluid_->labeller().needsAllWalls(), "mpsSchemes/boundarySchemes/labelling");
+        effects_.add("collision", f.collision() != nullptr, "mpsSchemes/collisionSchemes");
+        effects_.add("shifting", f.shifting() != nullptr, "mpsSchemes/shiftingSchemes");
+    }
+    effects_.add("rigid bodies", solids, yesNo(solids, "constant/rigidBodyProperties", "no constant/rigidBodyProperties"));
+    if (solids)
+    {
+        bool const contact = solids_->contacts() != nullptr;
+        effects_.add("contact", contact, yesNo(contact, "constant/contactProperties", "no constant/contactProperties"));
+        for (FluidBodyCoupling const& coupling : solids_->couplings())
+            effects_.add("coupling of " + coupling.body().name(), true, coupling.modeName());
+    }
+    bool const observed = observers_ && !observers_->empty();
+    effects_.add("function objects", observed, yesNo(observed, "controlDict/functions", "none in controlDict/functions"));
+    effects_.print(info());
+    if (solids && solids_->contacts())
+    {
+        std::vector<RigidBody*> pointers;
+        for (auto const& body : bodies_) pointers.push_back(body.get());
+        solids_->contacts()->report(info(), pointers);
+        info() << std::endl;
+    }
+}
+
+} // namespace mpsDem

@@ -1,0 +1,62 @@
+#include "core/Errors.h"
+#include "scene/EntryText.h"
+#include "scene/InitialState.h"
+
+namespace mpsDem {
+
+namespace {
+
+/// `hydrostatic { active yes; surface 1.0; }`.
+void readHydrostatic(SceneDefinition& scene, Dictionary const& setParticlesDict)
+{
+    Dictionary const dict = setParticlesDict.subDictOrEmpty("hydrostatic");
+    scene.hydrostatic = dict.getOr<bool>("active", true);
+    scene.hasSurfaceLevel = dict.found("surface");
+    if (!scene.hasSurfaceLevel) return;
+    scene.surfaceLevel = dict.getInRange("surface", -1e30, 1e30);
+    require(!scene.hydrostatic || scene.gravity.norm() > 0, dict.where("surface"), "a free surface without gravity", "constant/g");
+}
+
+/// Names become parts of file names and of pairs of contact: they must differ.
+void checkNames(SceneDefinition const& scene)
+{
+    for (BodyShape const& shape : scene.shapes)
+    {
+        require(shape.name != "particles" && shape.name.find('/') == std::string::npos, shape.where,
+                "a body cannot be called \"" + shape.name + "\"", "a name without / that is not \"particles\"");
+        for (WallDefinition const& wall : scene.walls)
+            require(wall.surface.name() != shape.name, shape.where, "a body and a wall are both called \"" + shape.name + "\"",
+                    "different names");
+    }
+}
+
+} // namespace
+
+SceneDefinition readSceneDefinition(CaseFolder const& caseFolder, std::filesystem::path const& dictionary)
+{
+    SceneDefinition scene;
+    scene.startTime = readStartTime(caseFolder);
+    scene.lattice = readLattice(caseFolder.read("constant/particleProperties"));
+    scene.kernelRadius = largestKernelRadius(caseFolder);
+    scene.gravity = readGravity(caseFolder);
+
+    Dictionary const dict = caseFolder.read(dictionary);
+    scene.walls = readWalls(dict, scene.lattice, scene.kernelRadius);
+    scene.regions = readRegions(dict);
+    scene.placement = LatticePlacement::read(dict);
+    readHydrostatic(scene, dict);
+    dict.requireAllRead();
+
+    if (!scene.regions.empty()) scene.density = readFluidDensity(caseFolder.read("constant/transportProperties"));
+    if (auto const bodies = caseFolder.readIfPresent("constant/rigidBodyProperties"))
+    {
+        scene.shapes = readBodyShapes(*bodies, scene.lattice);
+        scene.bodies = readBodies(*bodies, scene.lattice, scene.startTime);
+    }
+    checkNames(scene);
+    require(!scene.walls.empty() || !scene.regions.empty() || !scene.bodies.empty(), dict.where(),
+            "the case has neither walls nor fluid nor bodies", "geometry, regions, or constant/rigidBodyProperties");
+    return scene;
+}
+
+} // namespace mpsDem

@@ -1,0 +1,62 @@
+#include <cmath>
+#include <iomanip>
+
+#include "core/Log.h"
+#include "scene/Scene.h"
+
+namespace mpsDem {
+
+void Scene::logStep(Step const& step, double executionTime, double clockTime) const
+{
+    std::ostream& os = info();
+    if (fluid_)
+    {
+        TimeStep::Courant const courant = timeStep_->courant(particles_, step.dt);
+        os << "Courant Number mean: " << courant.mean << " max: " << courant.max << '\n';
+        if (fluid_->fluid().viscosity())
+        {
+            Real const diffusion = fluid_->fluid().nu() * step.dt / (dicts_.lattice.spacing * dicts_.lattice.spacing);
+            os << "Diffusion Number mean: " << diffusion << " max: " << diffusion << '\n';
+        }
+    }
+    os << "deltaT = " << step.dt << '\n' << "Time = " << time_->format(step.time) << '\n' << '\n';
+    if (solved_)
+    {
+        os << lastSolve_.solverName << ":  Solving for p, Initial residual = " << lastSolve_.initialResidual
+           << ", Final residual = " << lastSolve_.finalResidual << ", No Iterations " << lastSolve_.iterations << '\n';
+        // Volume error of the cloud: deviation of the number density in the interior.
+        Real local = 0, global = 0;
+        int count = 0;
+        for (int i : particles_.fluid())
+        {
+            if (particles_.surface[i] != SurfaceLabel::Interior) continue;
+            Real const e = particles_.n[i] - 1;
+            local += std::abs(e);
+            global += e;
+            ++count;
+        }
+        Real const n = std::max(1, count);
+        os << "time step continuity errors : sum local = " << local / n << ", global = " << global / n << ", cumulative = " << global / n
+           << '\n';
+    }
+    for (auto const& body : bodies_)
+    {
+        if (!body->report()) continue;
+        os << "Rigid body " << body->name() << ": centre (" << body->centre().transpose() << "), velocity (" << body->velocity().transpose()
+           << "), contact sub-steps " << solids_->subSteps() << '\n';
+    }
+    os << "ExecutionTime = " << executionTime << " s  ClockTime = " << clockTime << " s\n" << std::endl;
+}
+
+void Scene::logEnd(double loopSeconds) const
+{
+    if (fluid_)
+    {
+        info() << "Particles: " << particles_.fluid().size() << " fluid, " << particles_.boundary().size() << " boundary; "
+               << fluid_->escaped() << " left the domain; pressure displacements limited " << fluid_->fluid().limited() << " times\n\n";
+    }
+    printBill(info(), loopSeconds, particleSteps_);
+    info() << std::endl;
+}
+
+} // namespace mpsDem

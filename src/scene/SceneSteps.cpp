@@ -1,0 +1,167 @@
+#include <chrono>
+#include <limits>
+
+#include "core/Timers.h"
+#include "io/Checkpoint.h"
+#include "scene/Scene.h"
+
+namespace mpsDem {
+
+namespace {
+
+constexpr char codeVersion[] = "mpsDem-0.1.0";
+
+} // namespace
+
+Step Scene::nextStep()
+{
+    Real const bodySpeed = solids_ ? solids_->largestSpeed() : 0;
+    Real const unlimited = std::numeric_limits<Real>::infinity();
+    Viscosity const* const viscosity = fluid_ ? fluid_->fluid().viscosity() : nullptr;
+    Real const wanted = timeStep_->next(particles_, fluid_ ? fluid_->fluid().density() : 1, time_->lastDt(timeStep_->first()), bodySpeed,
+                                        viscosity ? viscosity->largestStableDt() : unlimited);
+    Real const observed = observers_ ? observers_->nextTime(time_->time()) : unlimited;
+    return time_->next(wanted, !timeStep_->adjustable(), observed);
+}
+
+void Scene::moveBoundaries()
+{
+    if (solids_) solids_->moveParticles(particles_);
+}
+
+void Scene::updateNeighbours(Step const& step)
+{
+    if (fluid_) fluid_->updateNeighbours(step);
+}
+
+void Scene::label()
+{
+    if (fluid_) fluid_->label();
+}
+
+void Scene::predict(Step const& step)
+{
+    if (!fluid_) return;
+    for (int i : particles_.boundary()) particles_.uStar[i] = particles_.u[i];
+    if (solids_) solids_->predictParticles(particles_, step);
+    fluid_->predict(step);
+}
+
+void Scene::solvePressure(Step const& step)
+{
+    if (!fluid_) return;
+    lastSolve_ = fluid_->solvePressure(step);
+    solved_ = true;
+}
+
+void Scene::loadBodies(Step const& step)
+{
+    if (fluid_ && solids_) solids_->loadBodies(*fluid_, step);
+}
+
+void Scene::advanceBodies(Step const& step)
+{
+    if (!solids_) return;
+    solids_->advance(step);
+    if (fluid_) solids_->correctPressure(particles_);
+}
+
+void Scene::correctFluid(Step const& step)
+{
+    if (!fluid_) return;
+    accumulateImpulse(step);
+    fluid_->correct(step);
+}
+
+void Scene::accumulateImpulse(Step const& step)
+{
+    if (fixedSurfaces_.empty()) return;
+    Real const density = fluid_->fluid().density();
+    PressureIntegrationControls controls;
+    controls.wetRadius = 1.5 * dicts_.lattice.spacing;
+    controls.radius = 2.1 * dicts_.lattice.spacing;
+    Vector& walls = ledger_.impulse("impulse/walls");
+    for (WettedSurface& surface : fixedSurfaces_)
+    {
+        surface.interpolate(
+            particles_, fluid_->neighbours().grid(), particles_.p, gravity_, density, [](Vector const&) { return Vector(Vector::Zero()); },
+            controls);
+        walls -= step.dt * surface.integrate(Vector::Zero()).force; // on the water: the reaction
+    }
+    Real const mass = density * dicts_.lattice.particleVolume() * particles_.fluid().size();
+    ledger_.impulse("impulse/gravityOnFluid") += step.dt * mass * gravity_;
+}
+
+void Scene::observe(Step const& step)
+{
+    particleSteps_ += particles_.owned().size();
+    time_->advance(step);
+    if (observerTimer_ < 0) return;
+    Timers::Scope const timer(Timers::stage(observerTimer_));
+    observers_->execute(step);
+}
+
+State Scene::state() const
+{
+    State state;
+    time_->save(state);
+    particles_.save(state);
+    saveSurfaces(state, surfaces_);
+    saveWallOf(state, wallOf_);
+    for (std::size_t k = 0; k < bodies_.size(); ++k) saveOutline(state, bodies_[k]->name(), static_cast<int>(k), {outlines_[k], 0});
+    if (fluid_) fluid_->save(state);
+    if (solids_) solids_->save(state);
+    ledger_.save(state);
+    if (observers_) observers_->save(state);
+    return state;
+}
+
+void Scene::writeCheckpointNow()
+{
+    Timers::Scope const timer(Timers::stage(checkpointTimer_));
+    CheckpointInfo info;
+    info.time = time_->time();
+    info.step = time_->stepNumber();
+    info.codeVersion = codeVersion;
+    info.effects = effects_.lines();
+    writeCheckpoint(case_.root() / "checkpoint", std::to_string(info.step), state(), info, time_->purgeWrite());
+    if (fluid_) fluid_->forget();
+    lastCheckpoint_ = info.step;
+    lastCheckpointClock_ = std::chrono::steady_clock::now();
+}
+
+void Scene::writeFields() { output_->write(time_->time()); }
+
+void Scene::writeIfDue(Step const& step)
+{
+    if (!step.write) return;
+    writeFields();
+    writeCheckpointNow();
+}
+
+void Scene::writeStart()
+{
+    if (time_->stepNumber() == 0) writeFields();
+}
+
+void Scene::writeEnd()
+{
+    if (lastCheckpoint_ == time_->stepNumber()) return;
+    writeFields();
+    writeCheckpointNow();
+}
+
+void Scene::serveCheckpoint()
+{
+    Real const interval = time_->checkpointInterval();
+    Real const seconds = std::chrono::duration<Real>(std::chrono::steady_clock::now() - lastCheckpointClock_).count();
+    if (interval > 0 && seconds > interval) checkpointAsked_ = true;
+    // After these steps an unbroken run, too, sorts its particles and starts its solver anew.
+    bool const seam = !fluid_ || time_->stepNumber() % FluidStage::sortInterval == 0 || lastCheckpoint_ == time_->stepNumber();
+    if (!checkpointAsked_ || !seam) return;
+    if (lastCheckpoint_ != time_->stepNumber()) writeCheckpointNow();
+    checkpointAsked_ = false;
+    if (stopAsked_) time_->stopNow();
+}
+
+} // namespace mpsDem

@@ -1,0 +1,108 @@
+#include "scene/SolidStage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/Timers.h"
+
+namespace mpsDem {
+
+SolidStage::SolidStage(std::vector<std::unique_ptr<RigidBody>>& bodies, std::unique_ptr<ContactModel> contacts,
+                       std::vector<FluidBodyCoupling> couplings, Vector const& gravity, Ledger& ledger)
+    : bodies_(bodies),
+      contacts_(std::move(contacts)),
+      couplings_(std::move(couplings)),
+      gravity_(gravity)
+{
+    for (auto const& body : bodies_)
+    {
+        pointers_.push_back(body.get());
+        body->setGravity(gravity);
+    }
+    gravityImpulse_ = &ledger.impulse("impulse/gravityOnBodies");
+    contactImpulse_ = &ledger.impulse("impulse/contactAndSupport");
+    if (contacts_)
+    {
+        contactDissipated_ = &ledger.energy("energy/contactDissipated");
+        contactStored_ = &ledger.energy("energy/contactStored");
+        contactTimer_ = Timers::add("contact", "contact");
+    }
+    motionTimer_ = Timers::add("body motion", "bodies");
+    if (!couplings_.empty()) couplingTimer_ = Timers::add("pressure integration and added mass", "coupling");
+}
+
+void SolidStage::moveParticles(ParticleSet& particles)
+{
+    for (FluidBodyCoupling& coupling : couplings_) coupling.moveParticles(particles);
+}
+
+void SolidStage::predictParticles(ParticleSet& particles, Step const& step)
+{
+    for (FluidBodyCoupling& coupling : couplings_) coupling.predictParticles(particles, step.dt);
+}
+
+void SolidStage::loadBodies(FluidStage& fluid, Step const& step)
+{
+    if (couplings_.empty()) return;
+    Timers::Scope const timer(Timers::stage(couplingTimer_));
+    PressureResponse const response = [&](Field<Vector> const& acceleration, Field<Real>& pressure) {
+        fluid.pressure().response(fluid.particles(), fluid.neighbours(), acceleration, pressure);
+    };
+    for (FluidBodyCoupling& coupling : couplings_) coupling.load(fluid.particles(), fluid.neighbours(), step, response);
+}
+
+void SolidStage::advance(Step const& step)
+{
+    for (RigidBody* body : pointers_) body->beginStep();
+    subSteps_ = contacts_ ? contacts_->subSteps(pointers_, step.dt) : 1;
+    Real const h = step.dt / subSteps_;
+    for (int k = 0; k < subSteps_; ++k)
+    {
+        if (contacts_)
+        {
+            Timers::Scope const timer(Timers::stage(contactTimer_));
+            contacts_->addTo(pointers_, h);
+        }
+        Timers::Scope const timer(Timers::stage(motionTimer_));
+        for (RigidBody* body : pointers_) body->advance(step.begin() + k * h, h);
+    }
+    for (RigidBody* body : pointers_)
+    {
+        body->endStep(step.dt);
+        *gravityImpulse_ += step.dt * body->gravityLoad().force;
+        *contactImpulse_ += step.dt * (body->meanContactNormal().force + body->meanContactTangential().force + body->meanRestraint().force +
+                                       body->meanReaction().force);
+    }
+    if (!contacts_) return;
+    *contactDissipated_ = contacts_->dissipatedEnergy();
+    *contactStored_ = contacts_->elasticEnergy();
+}
+
+void SolidStage::correctPressure(ParticleSet& particles)
+{
+    for (FluidBodyCoupling& coupling : couplings_) coupling.correct(particles);
+}
+
+Real SolidStage::largestSpeed() const
+{
+    Real speed = 0;
+    for (FluidBodyCoupling const& coupling : couplings_)
+        for (Vector const& r : coupling.surface().position()) speed = std::max(speed, coupling.body().velocityAt(r).norm());
+    for (auto const& body : bodies_) speed = std::max(speed, body->velocity().norm());
+    return speed;
+}
+
+void SolidStage::save(State& state) const
+{
+    for (auto const& body : bodies_) body->save(state);
+    for (FluidBodyCoupling const& coupling : couplings_) coupling.save(state);
+    if (contacts_) contacts_->save(state);
+}
+
+void SolidStage::load(State const& state)
+{
+    for (FluidBodyCoupling& coupling : couplings_) coupling.load(state);
+    if (contacts_ && state.has("time/lastDt")) contacts_->load(state); // not in the initial state of setParticles
+}
+
+} // namespace mpsDem

@@ -1,0 +1,121 @@
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "core/Dictionary.h"
+
+namespace {
+
+using mpsDem::CaseError;
+using mpsDem::Dictionary;
+using mpsDem::Real;
+
+/// The message that `action` is refused with.
+template <class Action>
+std::string refusal(Action const& action)
+{
+    try
+    {
+        action();
+    }
+    catch (CaseError const& error)
+    {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(DictionaryStrict, refusesAnEntryThatNobodyAskedForAndNamesTheNearest)
+{
+    Dictionary const dictionary = Dictionary::fromText("deltaT 1;\nwriteIntervall 2;\n", "system/controlDict");
+    static_cast<void>(dictionary.get<Real>("deltaT"));
+    static_cast<void>(dictionary.getOr<Real>("writeInterval", 1));
+    EXPECT_EQ(refusal([&] { dictionary.requireAllRead(); }), "system/controlDict:2: the entry \"writeIntervall\" is not known here\n"
+                                                             "    known entries: deltaT, writeInterval   (did you mean writeInterval?)");
+}
+
+TEST(DictionaryStrict, looksIntoDictionariesListsAndPatterns)
+{
+    Dictionary const dictionary = Dictionary::fromText(R"(a { x 1; } "p.*" { tol 1; } regions ( box { y 1; z 2; } ); off { anything 1; })");
+    static_cast<void>(dictionary.subDict("a").get<int>("x"));
+    static_cast<void>(dictionary.subDict("pFinal").get<int>("tol"));
+    auto const regions = dictionary.getDictList("regions");
+    static_cast<void>(regions[0].second.get<int>("y"));
+    dictionary.ignore("off");
+    EXPECT_NE(refusal([&] { dictionary.requireAllRead(); }).find("\"z\" is not known"), std::string::npos);
+    static_cast<void>(dictionary.getDictList("regions")[0].second.found("z"));
+    dictionary.requireAllRead();
+}
+
+TEST(DictionaryStrict, anAbsentDictionaryStillTakesQuestions)
+{
+    Dictionary const dictionary = Dictionary::fromText("a 1;", "f");
+    Dictionary const shifting = dictionary.subDictOrEmpty("shifting");
+    EXPECT_EQ(shifting.getOr<Real>("coefficient", 0.5), 0.5);
+    EXPECT_EQ(shifting.name(), "shifting");
+    EXPECT_EQ(refusal([&] { static_cast<void>(shifting.get<Real>("coefficient")); }), "f:1: the entry \"coefficient\" is missing");
+}
+
+TEST(DictionaryStrict, hintsAtAMissingSemicolon)
+{
+    Dictionary const dictionary = Dictionary::fromText("deltaT 0.001\nwriteControl adjustable;\n", "system/controlDict");
+    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.get<Real>("deltaT")); }),
+              "system/controlDict:1: deltaT has more than one value: 0.001 writeControl adjustable\n"
+              "    is a ';' missing at the end of line 1?");
+}
+
+TEST(DictionaryStrict, namesMissingEntriesWithTheNearestPresentOne)
+{
+    Dictionary const dictionary = Dictionary::fromText("delatT 1; solver { }", "f");
+    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.get<Real>("deltaT")); }),
+              "f:1: the entry \"deltaT\" is missing\n    (did you mean delatT?)");
+    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.subDict("solvers")); }),
+              "f:1: the dictionary \"solvers\" is missing\n    (did you mean solver?)");
+    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.subDict("delatT")); }), "f:1: delatT must be a dictionary\n    delatT { ... }");
+}
+
+TEST(DictionaryStrict, checksRangesAndWords)
+{
+    Dictionary const dictionary = Dictionary::fromText("mu -0.1; type slidee;", "f");
+    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.getInRange("mu", 0, 2)); }), "f:1: mu is -0.1\n    allowed: in [0, 2]");
+    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.getInRange("mu", 0, 1e300)); }), "f:1: mu is -0.1\n    allowed: at least 0");
+    EXPECT_EQ(dictionary.getInRangeOr("e", 0.5, 0, 1), 0.5);
+    EXPECT_EQ(dictionary.getWordOr("law", "linear", {"linear", "Hertz"}, "laws"), "linear");
+    EXPECT_EQ(refusal([&] {
+                  static_cast<void>(dictionary.getWord("type", {"slide", "wedge"}, "types"));
+              }),
+              "f:1: type \"slidee\" is not known\n    known types: slide, wedge   (did you mean slide?)");
+}
+
+TEST(DictionaryStrict, theLenientReaderTakesTheLastDuplicateWithAWarning)
+{
+    auto const file = std::filesystem::temp_directory_path() / ("lenient" + std::to_string(getpid()));
+    std::ofstream(file) << "a 1;\na 2;\nlibs (fast);\nb 0x10;\n";
+    std::vector<std::string> warnings;
+    Dictionary const dictionary = Dictionary::fromFileLeniently(file, file.parent_path(), warnings);
+    std::filesystem::remove(file);
+    EXPECT_EQ(dictionary.get<int>("a"), 2);
+    EXPECT_EQ(dictionary.entryText("b"), "0 x10");
+    ASSERT_EQ(warnings.size(), 1U);
+    EXPECT_NE(warnings[0].find(":2: the entry \"a\" is there already"), std::string::npos) << warnings[0];
+}
+
+TEST(DictionaryStrict, requiresTheHeader)
+{
+    std::string const header = "FoamFile { version 2.0; format ascii; class dictionary; object g; }\n";
+    Dictionary const good = Dictionary::fromText(header + "a 1;");
+    good.requireHeader();
+    EXPECT_EQ(good.keys(), std::vector<std::string>{"a"});
+    static_cast<void>(good.found("a"));
+    good.requireAllRead();
+    EXPECT_NE(refusal([] { Dictionary::fromText("a 1;").requireHeader(); }).find("the header FoamFile is missing"), std::string::npos);
+    EXPECT_NE(refusal([&] { Dictionary::fromText("a 1;" + header).requireHeader(); }).find("at the top"), std::string::npos);
+    EXPECT_NE(refusal([&] { good.requireHeader("volScalarField"); }).find("class is dictionary"), std::string::npos);
+}
+
+} // namespace

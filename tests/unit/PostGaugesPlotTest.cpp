@@ -1,0 +1,117 @@
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "postGauges/Plot.h"
+#include "postGauges/SheetLayout.h"
+#include "postGauges/Text.h"
+
+namespace mpsDem::postGauges {
+
+namespace {
+
+std::string messageOf(std::string const& plots)
+{
+    try
+    {
+        (void)readPlots(Dictionary::fromText("plots { " + plots + " }", "system/postGaugesDict"), {});
+    }
+    catch (CaseError const& error)
+    {
+        EXPECT_EQ(error.code(), ExitCode::BadInput);
+        return error.what();
+    }
+    return {};
+}
+
+void expectMessage(std::string const& plots, std::string const& part)
+{
+    EXPECT_NE(messageOf(plots).find(part), std::string::npos) << messageOf(plots);
+}
+
+} // namespace
+
+TEST(PostGaugesPlot, readsEveryKind)
+{
+    auto const dict =
+        Dictionary::fromText("plots { a { type curves; curves { c { file \"t.csv\"; } } } b { type gauges; locations ((4 0 0)); }"
+                             " c { type profiles; times (0.5); } d { type particles; } e { type convergence; file \"s.dat\"; } }");
+    auto const plots = readPlots(dict, {});
+    ASSERT_EQ(plots.size(), 5U);
+    EXPECT_EQ(plots[3]->name(), "d");
+}
+
+TEST(PostGaugesPlot, refusesWhatItDoesNotKnow)
+{
+    expectMessage("a { type curve; }", "did you mean curves");
+    expectMessage("a { type gauges; locations ((4 0 0)); metod top; }", "did you mean method");
+    expectMessage("a { type gauges; locations ((4 0 0)); method volum; }", "did you mean volume");
+    expectMessage("a { type gauges; locations (); }", "no location");
+    expectMessage("a { type gauges; locations ((4 0 0)); width 0.5; }", "width is 0.5");
+    expectMessage("a { type particles; window ((1 0 0) (0 1 0)); }", "window must be two corners");
+    expectMessage("a { type particles; palette jet; }", "palette \"jet\" is not known");
+    expectMessage("a { type particles; show (fluids); }", "did you mean fluid");
+    expectMessage("a { type curves; }", "no curves");
+    expectMessage("a { type curves; curves { c { file x; colour pink; } } }", "colour \"pink\"");
+    expectMessage("a { type curves; xRange (2 1); curves { c { file x; } } }", "two increasing numbers");
+    expectMessage("a { type curves; logScale (y); yRange (0 1); curves { c { file x; } } }", "above zero");
+    expectMessage("a { type curves; formats (pdf); curves { c { file x; } } }", "format \"pdf\"");
+    expectMessage("a { type curves; curves { c { file x; } d { file x; } } compare { reference e; } }", "known curves: c, d");
+    expectMessage("\"../a\" { type particles; }", "cannot be the name of a picture file");
+    expectMessage("", "plots is empty");
+}
+
+TEST(PostGaugesText, namesCannotBecomeCommands)
+{
+    EXPECT_EQ(quoted("it's"), "'it''s'");
+    EXPECT_EQ(quoted("a\n!rm -rf b\t"), "'a !rm -rf b '");
+    EXPECT_EQ(plain("case_a {1}"), "case\\_a \\{1\\}");
+    EXPECT_TRUE(isFileName("eta-4m_t0.5"));
+    for (char const* const name : {"", ".hidden", "a/b", "a b", "a;b", "`a`"}) EXPECT_FALSE(isFileName(name)) << name;
+}
+
+TEST(PostGaugesText, numbers)
+{
+    EXPECT_EQ(decimalsThatDiffer({0.5, 0.75}, 2), 2);
+    EXPECT_EQ(decimalsThatDiffer({0.5, 0.5004, 1}, 2), 4);
+    EXPECT_EQ(decimalsThatDiffer({1, 1}, 2), 2);
+    EXPECT_EQ(fixedNumber(0.5, 3), "0.500");
+    std::string row;
+    addRow(row, {0.1, std::numeric_limits<Real>::quiet_NaN()});
+    EXPECT_EQ(row, "0.1 nan\n");
+}
+
+TEST(PostGaugesSheetLayout, panelsHaveTheProportionsOfTheWindow)
+{
+    Window const window{-0.3, 3, -0.1, 1.35};
+    for (int const count : {1, 2, 4, 7})
+    {
+        SheetLayout const sheet = layOut(count, 0, window, 1200, 1600, 13, 110);
+        ASSERT_EQ(sheet.panels.size(), static_cast<std::size_t>(count));
+        EXPECT_LE(sheet.width, 1200);
+        EXPECT_LE(sheet.height, 1600);
+        for (Box const& panel : sheet.panels)
+        {
+            Real const wide = (panel.right - panel.left) * sheet.width, high = (panel.top - panel.bottom) * sheet.height;
+            EXPECT_NEAR(wide / high, 3.3 / 1.45, 0.01);
+            EXPECT_NEAR(wide, sheet.scale * 3.3, 1.0);
+            EXPECT_LT(panel.right, sheet.bar.left);
+            EXPECT_GE(panel.bottom, 0);
+        }
+    }
+    EXPECT_EQ(layOut(6, 3, window, 1200, 1600, 13, 110).rows, 2);
+    EXPECT_EQ(layOut(1, 0, {0, 1, 0, 100}, 1200, 800, 13, 110).height, 800) << "a tall window is limited by the height";
+}
+
+TEST(PostGaugesSheetLayout, rangesThatReadWell)
+{
+    EXPECT_EQ(niceRange(0, 9788), std::pair(0.0, 10000.0));
+    EXPECT_EQ(niceRange(-0.31, 1.93), std::pair(-0.5, 2.0));
+    auto const [low, high] = niceRange(5, 5);
+    EXPECT_LT(low, 5);
+    EXPECT_GT(high, 5);
+    EXPECT_EQ(percentile({5, 1, 4, 2, 3}, 0.5), 3);
+    EXPECT_EQ(percentile({5, 1, 4, 2, 3}, 1), 5);
+}
+
+} // namespace mpsDem::postGauges
