@@ -15,9 +15,12 @@ namespace options = boost::program_options;
 namespace {
 
 /// OpenFOAM's style: long names behind one dash, `-case dir` and no `-case=dir`, no abbreviations.
-int constexpr style = (options::command_line_style::unix_style & ~options::command_line_style::allow_guessing &
-                       ~options::command_line_style::allow_sticky) |
-                      options::command_line_style::allow_long_disguise;
+int constexpr style =
+    (options::command_line_style::unix_style & ~options::command_line_style::allow_guessing & ~options::command_line_style::allow_sticky) |
+    options::command_line_style::allow_long_disguise;
+
+/// Name under which the parser keeps arguments; not an option for users.
+char constexpr withoutDash[] = "arguments";
 
 std::vector<CommandOption> allOptions(ApplicationDescription const& description)
 {
@@ -32,7 +35,10 @@ std::vector<CommandOption> allOptions(ApplicationDescription const& description)
 /// "--case" and "-case" as the user knows it: "-case".
 std::string dashed(std::string const& name) { return "-" + name.substr(std::min(name.find_first_not_of('-'), name.size())); }
 
-bool isOptionWord(std::string const& word) { return word.size() > 1 && word[0] == '-' && (std::isalpha(static_cast<unsigned char>(word[1])) || word[1] == '-'); }
+bool isOptionWord(std::string const& word)
+{
+    return word.size() > 1 && word[0] == '-' && (std::isalpha(static_cast<unsigned char>(word[1])) || word[1] == '-');
+}
 
 } // namespace
 
@@ -45,12 +51,14 @@ CommandLine::CommandLine(ApplicationDescription description, int argc, char cons
     options::options_description known;
     for (CommandOption const& option : allOptions(description_))
     {
-        if (option.argument.empty()) known.add_options()(option.name.c_str(), option.help.c_str());
-        else known.add_options()(option.name.c_str(), options::value<std::string>(), option.help.c_str());
+        if (option.argument.empty())
+            known.add_options()(option.name.c_str(), option.help.c_str());
+        else
+            known.add_options()(option.name.c_str(), options::value<std::string>(), option.help.c_str());
     }
-    known.add_options()("", options::value<std::vector<std::string>>(), "");
+    known.add_options()(withoutDash, options::value<std::vector<std::string>>(), "");
     options::positional_options_description anywhere;
-    anywhere.add("", -1);
+    anywhere.add(withoutDash, -1);
     try
     {
         auto const parsed = options::command_line_parser(words).options(known).positional(anywhere).style(style).run();
@@ -65,6 +73,7 @@ CommandLine::CommandLine(ApplicationDescription description, int argc, char cons
                 }
                 continue;
             }
+            if (option.string_key == withoutDash) throw CommandLineError("Invalid option: " + dashed(option.string_key));
             std::string const value = option.value.empty() ? "" : option.value.front();
             if (isOptionWord(value)) throw CommandLineError("Option " + dashed(option.string_key) + " needs a value before " + value);
             if (!values_.emplace(option.string_key, value).second)
@@ -77,13 +86,13 @@ CommandLine::CommandLine(ApplicationDescription description, int argc, char cons
     }
     catch (options::error_with_option_name const& error)
     {
-        std::string name = error.get_option_name();
-        if (name.empty()) name = error.get_option_name();
+        std::string const name = error.get_option_name();
         bool const missing = dynamic_cast<options::invalid_command_line_syntax const*>(&error) != nullptr;
         throw CommandLineError(missing ? "Option " + dashed(name) + " needs a value or has one that it does not take" : error.what());
     }
     bool const help = found("help") || found("help-full");
-    if (!help && description_.arguments.empty() && !arguments_.empty()) throw CommandLineError("Unexpected argument: " + arguments_.front());
+    if (!help && description_.arguments.empty() && !arguments_.empty())
+        throw CommandLineError("Unexpected argument: " + arguments_.front());
 }
 
 std::optional<std::string> CommandLine::value(std::string const& option) const

@@ -122,7 +122,8 @@ int runApplication(ApplicationDescription const& description, int argc, char con
     catch (std::exception const& error)
     {
         std::cout << std::flush;
-        report(std::string("internal error: ") + error.what() + "\n    please report it with the case", description.name, ExitCode::Internal);
+        report(std::string("internal error: ") + error.what() + "\n    please report it with the case", description.name,
+               ExitCode::Internal);
         return codeOf(ExitCode::Internal);
     }
 }

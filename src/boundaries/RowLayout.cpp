@@ -96,8 +96,7 @@ std::vector<RowPoint> continuedPoints(SmoothRun const& run, Real depth, Real spa
     for (Polyline::Segment const& s : run.segments) length += s.length;
     Real const step = length / std::max(1, static_cast<int>(std::lround(length / spacing)));
     Real const safeStep = std::clamp(step, 0.7 * spacing, 1.4 * spacing);
-    for (int i = 0; i < count; ++i)
-        points.push_back({first.a - depth * first.normal - (i + 0.5) * safeStep * first.tangent, first.normal});
+    for (int i = 0; i < count; ++i) points.push_back({first.a - depth * first.normal - (i + 0.5) * safeStep * first.tangent, first.normal});
     for (int i = 0; i < count; ++i) points.push_back({last.b - depth * last.normal + (i + 0.5) * safeStep * last.tangent, last.normal});
     return points;
 }

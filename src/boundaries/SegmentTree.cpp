@@ -97,9 +97,6 @@ SegmentTree::Nearest SegmentTree::nearest(Vector const& r) const
     return best;
 }
 
-Real SegmentTree::distance(Vector const& r) const
-{
-    return empty() ? std::numeric_limits<Real>::infinity() : nearest(r).distance;
-}
+Real SegmentTree::distance(Vector const& r) const { return empty() ? std::numeric_limits<Real>::infinity() : nearest(r).distance; }
 
 } // namespace mpsDem

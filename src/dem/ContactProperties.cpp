@@ -39,6 +39,8 @@ ContactProperties ContactProperties::readPair(Dictionary const& dict, ContactPro
     std::string const backward = second + ":" + first;
     bool const hasForward = pairs.found(forward);
     bool const hasBackward = pairs.found(backward);
+    bool const twice = hasForward && hasBackward && pairs.where(forward).line != pairs.where(backward).line;
+    require(!twice, pairs.where(backward), "pair \"" + forward + "\" has two entries", "one of either order of the names");
     if (hasForward) return read(pairs.subDict(forward), common);
     if (hasBackward) return read(pairs.subDict(backward), common);
     return common;

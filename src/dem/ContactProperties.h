@@ -23,6 +23,8 @@ namespace mpsDem {
 /// | maxOverlap      | static overlap aimed at, as a part of the spacing    | -    | 1e-3                | 1e-7 .. 0.05 |
 /// | impactSpeed     | at which one corner may sink in by 0.05 spacings     | m/s  | 1                   | 0 .. 1e3     |
 /// | normalStiffness | per area of contact, for `stiffness constant`        | N/m3 | none                | 1 .. 1e20    |
+///
+/// The sub-step goes with 1/impactSpeed: a body that never hits anything with a corner (a latch stops it) needs fewer with impactSpeed 0.
 struct ContactProperties
 {
     std::string law = "linearSpringDashpot";

@@ -137,8 +137,7 @@ void reportBody(std::ostream& out, SceneDefinition const& definition, InitialSce
     reportOutlook(out, definition, scene, k, outlook);
     Real const gap = std::abs(outlook.support.distance) < 1e-9 * definition.lattice.spacing ? 0 : outlook.support.distance;
     if (outlook.support.other >= 0)
-        line(out, "gap to wall") << gap << " m from "
-                                 << scene.surfaces[static_cast<std::size_t>(outlook.support.other)].name() << "\n";
+        line(out, "gap to wall") << gap << " m from " << scene.surfaces[static_cast<std::size_t>(outlook.support.other)].name() << "\n";
     for (std::size_t other = 0; other < scene.placed.size(); ++other)
     {
         if (other == k) continue;

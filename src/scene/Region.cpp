@@ -16,7 +16,8 @@ Vector flat(Vector v)
     return v;
 }
 
-/// Parallelogram origin + s i + t j, 0 <= s, t <= 1: the box and the rotated box.
+/// Parallelogram origin + s i + t j, 0 <= s, t < 1: the box and the rotated box. Half-open, so that a lattice with points on two opposite
+/// sides fills it with the right number of particles.
 class ParallelogramRegion : public Region
 {
 public:
@@ -35,7 +36,7 @@ public:
     {
         Real const s = dualI_.dot(r - origin_), t = dualJ_.dot(r - origin_);
         Real constexpr slack = 1e-12;
-        return s >= -slack && s <= 1 + slack && t >= -slack && t <= 1 + slack;
+        return s >= -slack && s < 1 - slack && t >= -slack && t < 1 - slack;
     }
     Vector low() const override { return origin_ + i_.cwiseMin(0).eval() + j_.cwiseMin(0).eval(); }
     Vector high() const override { return origin_ + i_.cwiseMax(0).eval() + j_.cwiseMax(0).eval(); }

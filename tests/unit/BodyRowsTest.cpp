@@ -23,7 +23,7 @@ BoundaryRows rowsOf(Polyline const& outline)
 struct Summary
 {
     int walls = 0, ghosts = 0;
-    Real least = std::numeric_limits<Real>::infinity(); ///< Distance of two particles [spacings].
+    Real least = std::numeric_limits<Real>::infinity();      ///< Distance of two particles [spacings].
     Real shallowest = std::numeric_limits<Real>::infinity(); ///< Depth of a wall particle [spacings].
 };
 
@@ -36,8 +36,10 @@ Summary summaryOf(Polyline const& outline)
         EXPECT_TRUE(outline.encloses(rows.position[i]));
         Real const depth = -outline.closest(rows.position[i]).distance / spacing;
         if (rows.type[i] == ParticleType::Wall) sum.shallowest = std::min(sum.shallowest, depth);
-        if (rows.type[i] == ParticleType::Wall) ++sum.walls;
-        else ++sum.ghosts;
+        if (rows.type[i] == ParticleType::Wall)
+            ++sum.walls;
+        else
+            ++sum.ghosts;
         for (std::size_t j = 0; j < i; ++j) sum.least = std::min(sum.least, (rows.position[i] - rows.position[j]).norm() / spacing);
     }
     return sum;
@@ -46,7 +48,7 @@ Summary summaryOf(Polyline const& outline)
 TEST(BodyRows, BoxHasARowOfWallParticlesHalfASpacingInside)
 {
     auto const sum = summaryOf(Polyline::outline("box", {{0, 0, 0}, {0.4, 0, 0}, {0.4, 0.2, 0}, {0, 0.2, 0}}));
-    EXPECT_EQ(sum.walls, 2 * 20 + 2 * 10 - 4);                   // a ring of cells
+    EXPECT_EQ(sum.walls, 2 * 20 + 2 * 10 - 4);                          // a ring of cells
     EXPECT_EQ(sum.ghosts, (2 * 18 + 2 * 8 - 4) + (2 * 16 + 2 * 6 - 4)); // two more rings
     EXPECT_NEAR(sum.least, 1, 1e-9);
     EXPECT_NEAR(sum.shallowest, 0.5, 1e-9);
@@ -84,7 +86,8 @@ TEST(BodyRows, CylinderHasRowsAsEvenAsACircle)
         ++count[static_cast<std::size_t>(row)];
     }
     for (int k = 0; k < 3; ++k)
-        EXPECT_EQ(count[static_cast<std::size_t>(k)], static_cast<int>(std::lround(2 * std::numbers::pi * (radius / spacing - k - 0.5)))) << k;
+        EXPECT_EQ(count[static_cast<std::size_t>(k)], static_cast<int>(std::lround(2 * std::numbers::pi * (radius / spacing - k - 0.5))))
+            << k;
 }
 
 TEST(BodyRows, RowsDoNotDependOnTheSenseOfThePoints)

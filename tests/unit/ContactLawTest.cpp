@@ -127,6 +127,8 @@ TEST(ContactLaw, pairsOverrideInEitherOrder)
     EXPECT_EQ(ContactProperties::readPair(dict, common, "slide", "ramp").e, 0.3);
     EXPECT_EQ(ContactProperties::readPair(dict, common, "slide", "floor").e, 0.1);
     EXPECT_EQ(ContactProperties::readPair(dict, common, "slide", "wall").mu, 0.4);
+    Dictionary const twice = Dictionary::fromText("mu 0.4; pairs {\n \"a:b\" { mu 0.1; }\n \"b:a\" { mu 0.2; }\n }");
+    EXPECT_THROW((void)ContactProperties::readPair(twice, common, "a", "b"), CaseError);
     EXPECT_THROW((void)ContactProperties::readCommon(Dictionary::fromText("e 0.3;")), CaseError);
     EXPECT_THROW((void)ContactProperties::readCommon(Dictionary::fromText("mu -0.3;")), CaseError);
     EXPECT_THROW((void)ContactProperties::readCommon(Dictionary::fromText("mu 0.3; stiffness constant;")), CaseError);

@@ -64,20 +64,30 @@ TEST(ContactModel, restingBoxCarriesItsWeight)
     EXPECT_GT(scene.contact->maxOverlap(), 0);
 }
 
-// In a valley of two sides at 45 degrees a box standing on its corner touches both; each carries m g / sqrt 2, not more.
+// In a valley of two sides at 45 degrees a box standing on its corner touches both; each carries m g / sqrt 2, not more. The valley is one
+// surface, or two of which one ends on the other.
 TEST(ContactModel, boxInAValleyHasNoDoubleForce)
 {
-    ContactScene scene;
-    scene.gravity = Vector(0, -9.81, 0);
-    scene.surfaces = {Polyline("valley", {{-1, 1, 0}, {0, 0, 0}, {1, 1, 0}}, false, Polyline::FluidSide::Left)};
-    RigidBody& box = scene.addBox("box", 0.1, 0.1, 1000, {0, 0.1 / std::numbers::sqrt2, 0}, std::numbers::pi / 4);
-    scene.build("mu 0; e 0.1;");
-    for (int i = 0; i < 200; ++i) scene.step(1e-3);
-    Real sum = 0;
-    for (Contact const& contact : scene.contact->pairs()[0].contacts()) sum += contact.normalForce.norm();
-    EXPECT_NEAR(sum / (10 * 9.81 * std::numbers::sqrt2), 1, 1e-6);
-    EXPECT_NEAR(box.contactNormal.force.y() / (10 * 9.81), 1, 1e-6);
-    EXPECT_LT(box.velocity().norm(), 1e-6);
+    auto const side = Polyline::FluidSide::Left;
+    std::vector<std::vector<Polyline>> const valleys = {
+        {Polyline("valley", {{-1, 1, 0}, {0, 0, 0}, {1, 1, 0}}, false, side)},
+        {Polyline("ramp", {{-1, 1, 0}, {0, 0, 0}}, false, side), Polyline("bank", {{-1, -1, 0}, {1, 1, 0}}, false, side)}};
+    for (std::vector<Polyline> const& valley : valleys)
+    {
+        ContactScene scene;
+        scene.gravity = Vector(0, -9.81, 0);
+        scene.surfaces = valley;
+        RigidBody& box = scene.addBox("box", 0.1, 0.1, 1000, {0, 0.1 / std::numbers::sqrt2, 0}, std::numbers::pi / 4);
+        scene.build("mu 0; e 0.1;");
+        for (int i = 0; i < 200; ++i) scene.step(1e-3);
+        Real sum = 0;
+        for (ContactPair const& pair : scene.contact->pairs())
+            for (Contact const& contact : pair.contacts()) sum += contact.normalForce.norm();
+        EXPECT_NEAR(sum / (10 * 9.81 * std::numbers::sqrt2), 1, 1e-6);
+        EXPECT_NEAR(box.contactNormal.force.y() / (10 * 9.81), 1, 1e-6);
+        EXPECT_LT(box.velocity().norm(), 1e-6);
+        EXPECT_LT(std::abs(box.centre().x()), 1e-9);
+    }
 }
 
 // A block slides over the joint of a floor and a second floor of another name: both touch, and the weight is carried once.
@@ -94,20 +104,6 @@ TEST(ContactModel, twoSurfacesShareTheWeight)
     EXPECT_NEAR(box.centre().x(), 0.3, 1e-9);
     EXPECT_NEAR(box.velocity().x(), 1, 1e-9);
     EXPECT_LT(std::abs(box.angularVelocity().z()), 1e-6);
-}
-
-// The tip of a wedge comes down into the valley between a ramp and a floor that are two surfaces; it rests there.
-TEST(ContactModel, tipInTheValleyOfTwoSurfaces)
-{
-    ContactScene scene;
-    scene.gravity = Vector(0, -9.81, 0);
-    scene.surfaces = {Polyline("ramp", {{-1, 1, 0}, {0, 0, 0}}, false, Polyline::FluidSide::Left),
-                      Polyline("floor", {{-2, 0, 0}, {2, 0, 0}}, false, Polyline::FluidSide::Left)};
-    RigidBody& wedge = scene.addBlock("wedge", {{0, 0, 0}, {0, 0.3, 0}, {-0.3, 0.3, 0}}, 2000, {-0.1, 0.2002, 0});
-    scene.build("mu 0; e 0.1;");
-    for (int i = 0; i < 300; ++i) scene.step(1e-3);
-    EXPECT_NEAR(wedge.centre().y(), 0.2, 1e-3 * 0.2);
-    EXPECT_GE(wedge.centre().x(), -0.1001);
 }
 
 TEST(ContactModel, stopperStopsItsBodyOnly)

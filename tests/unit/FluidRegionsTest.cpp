@@ -14,10 +14,13 @@ using namespace mpsDem;
 
 Lattice const lattice{2, 0.02, 0.5};
 
-std::vector<std::unique_ptr<Region>> regionsOf(std::string const& text) { return readRegions(Dictionary::fromText("regions (" + text + ");")); }
+std::vector<std::unique_ptr<Region>> regionsOf(std::string const& text)
+{
+    return readRegions(Dictionary::fromText("regions (" + text + ");"));
+}
 
-FluidFilling fill(std::string const& regions, std::string const& placement = "", std::vector<Polyline> const& walls = {},
-                  std::vector<Polyline> const& bodies = {})
+FluidFilling filled(std::string const& regions, std::string const& placement = "", std::vector<Polyline> const& walls = {},
+                    std::vector<Polyline> const& bodies = {})
 {
     SegmentTree const wallTree(walls), bodyTree(bodies);
     return fillRegions(regionsOf(regions), LatticePlacement::read(Dictionary::fromText("lattice {" + placement + "}")), lattice,
@@ -39,7 +42,7 @@ std::string messageOf(std::string const& regions)
 
 TEST(FluidRegions, BoxOfWholeCellsIsFilledExactly)
 {
-    auto const fluid = fill("boxToParticle { box (0 0 0) (2 1 0); }");
+    auto const fluid = filled("boxToParticle { box (0 0 0) (2 1 0); }");
     EXPECT_EQ(fluid.position.size(), 100u * 50u);
     EXPECT_NEAR(fluid.volume, 2 * 1 * 0.5, 1e-12);
     EXPECT_NEAR(fluid.position.front().x(), 0.01, 1e-15);
@@ -48,24 +51,24 @@ TEST(FluidRegions, BoxOfWholeCellsIsFilledExactly)
 
 TEST(FluidRegions, BoxMayBeGivenByMinAndMax)
 {
-    auto const fluid = fill("boxToParticle { min (0 0 -1); max (0.2 0.1 1); }");
+    auto const fluid = filled("boxToParticle { min (0 0 -1); max (0.2 0.1 1); }");
     EXPECT_EQ(fluid.position.size(), 10u * 5u);
 }
 
 TEST(FluidRegions, VolumesOfDiscAndRotatedBox)
 {
-    Real const disc = fill("cylinderToParticle { p1 (1 1 0); p2 (1 1 1); radius 0.3; }").volume;
+    Real const disc = filled("cylinderToParticle { p1 (1 1 0); p2 (1 1 1); radius 0.3; }").volume;
     EXPECT_NEAR(disc, std::numbers::pi * 0.09 * 0.5, 1e-4 * disc);
-    Real const sphere = fill("sphereToParticle { origin (1 1 0); radius 0.3; }").volume;
+    Real const sphere = filled("sphereToParticle { origin (1 1 0); radius 0.3; }").volume;
     EXPECT_EQ(sphere, disc);
-    auto const rotated = fill("rotatedBoxToParticle { origin (0 0 0); i (0.3 0.3 0); j (-0.2 0.2 0); k (0 0 1); }");
+    auto const rotated = filled("rotatedBoxToParticle { origin (0 0 0); i (0.3 0.3 0); j (-0.2 0.2 0); k (0 0 1); }");
     EXPECT_NEAR(rotated.volume, 0.12 * 0.5, 1e-3 * rotated.volume);
     EXPECT_NEAR(static_cast<Real>(rotated.position.size()) * lattice.particleVolume(), 0.06, 0.02 * 0.06);
 }
 
 TEST(FluidRegions, OverlappingRegionsAreAUnionAndTheLastOneSetsTheValues)
 {
-    auto const fluid = fill("boxToParticle { box (0 0 0) (0.4 0.2 0); } boxToParticle { box (0.2 0 0) (0.6 0.2 0); }");
+    auto const fluid = filled("boxToParticle { box (0 0 0) (0.4 0.2 0); } boxToParticle { box (0.2 0 0) (0.6 0.2 0); }");
     EXPECT_EQ(fluid.position.size(), 30u * 10u);
     EXPECT_NEAR(fluid.volume, 0.6 * 0.2 * 0.5, 1e-12);
     EXPECT_EQ(fluid.count[0], 100);
@@ -84,20 +87,20 @@ TEST(FluidRegions, FieldValuesKeepAllDigits)
 TEST(FluidRegions, BodiesAndWallsAreCarvedOut)
 {
     std::vector<Polyline> const body{Polyline::outline("box", {{0.4, 0.4, 0}, {0.6, 0.4, 0}, {0.6, 0.6, 0}, {0.4, 0.6, 0}})};
-    auto const fluid = fill("boxToParticle { box (0 0 0) (1 1 0); }", "", {}, body);
+    auto const fluid = filled("boxToParticle { box (0 0 0) (1 1 0); }", "", {}, body);
     EXPECT_EQ(fluid.position.size(), 2500u - 100u);
     EXPECT_NEAR(fluid.volume, (1 - 0.04) * 0.5, 1e-12);
     for (Vector const& r : fluid.position) EXPECT_GE(body[0].closest(r).distance, 0.45 * lattice.spacing);
 
     std::vector<Polyline> const ramp{Polyline("ramp", {{0, 1, 0}, {1, 0, 0}}, false, Polyline::FluidSide::Left)};
-    auto const above = fill("boxToParticle { box (0 0 0) (1 1 0); }", "", ramp);
+    auto const above = filled("boxToParticle { box (0 0 0) (1 1 0); }", "", ramp);
     EXPECT_NEAR(above.volume, 0.25, 1e-4);
     EXPECT_EQ(above.position.size(), 49u * 50u / 2u); // lattice points above the diagonal
 }
 
 TEST(FluidRegions, OffsetShiftsTheLatticeByAFractionOfASpacing)
 {
-    auto const fluid = fill("boxToParticle { box (0 0 0) (0.2 0.2 0); }", "offset (0.25 0 0);");
+    auto const fluid = filled("boxToParticle { box (0 0 0) (0.2 0.2 0); }", "offset (0.25 0 0);");
     EXPECT_NEAR(fluid.position.front().x(), 0.75 * 0.02, 1e-12);
     EXPECT_NEAR(fluid.position.front().y(), 0.5 * 0.02, 1e-12);
 }
@@ -106,8 +109,9 @@ TEST(FluidRegions, JitterIsTheSameEachTimeAndKeepsClearOfWalls)
 {
     std::vector<Polyline> const floor{Polyline("floor", {{-1, 0, 0}, {2, 0, 0}}, false, Polyline::FluidSide::Left)};
     std::string const box = "boxToParticle { box (0 0 0) (1 1 0); }";
-    auto const even = fill(box, "", floor), first = fill(box, "jitter 0.3; seed 7;", floor), again = fill(box, "jitter 0.3; seed 7;", floor);
-    auto const other = fill(box, "jitter 0.3; seed 8;", floor);
+    auto const even = filled(box, "", floor), first = filled(box, "jitter 0.3; seed 7;", floor),
+               again = filled(box, "jitter 0.3; seed 7;", floor);
+    auto const other = filled(box, "jitter 0.3; seed 8;", floor);
     ASSERT_EQ(first.position.size(), even.position.size());
     Real sum2 = 0;
     int different = 0;

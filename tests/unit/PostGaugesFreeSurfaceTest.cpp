@@ -81,8 +81,8 @@ TEST(PostGaugesFreeSurface, levelLatticeByTopIsWithinATenthOfASpacing)
 
 TEST(PostGaugesFreeSurface, disturbedLatticeGivesLittleNoise)
 {
-    // Independent shifts within 0.15 spacings (deviation s = 0.087) of about 3 x 2 particles at the sides, 3 at the base and 3 at the top of
-    // a column 3 spacings wide: deviation sqrt(12) s / 3 = 0.10 spacings.
+    // Independent shifts within 0.15 spacings (deviation s = 0.087) of about 3 x 2 particles at the sides, 2 at the base and 2 at the top of
+    // a column 2 spacings wide: deviation sqrt(10) s / 2 = 0.14 spacings.
     auto const fluid = levelWater(0.8, 0.15);
     FreeSurface const volume(fluid, floorRows(), settings(SurfaceMethod::Volume));
     FreeSurface const top(fluid, floorRows(), settings(SurfaceMethod::Top));
@@ -93,7 +93,7 @@ TEST(PostGaugesFreeSurface, disturbedLatticeGivesLittleNoise)
         volumeSquares += std::pow((volume.elevation(Vector(x, 0, 0)).value() - 0.8) / dx, 2);
         topSquares += std::pow((top.elevation(Vector(x, 0, 0)).value() - 0.8) / dx, 2);
     }
-    report("jitter 0.15, volume, rms [spacings]", std::sqrt(volumeSquares / places), 0.13);
+    report("jitter 0.15, volume, rms [spacings]", std::sqrt(volumeSquares / places), 0.17);
     report("jitter 0.15, top, rms [spacings]", std::sqrt(topSquares / places), 0.13);
 }
 

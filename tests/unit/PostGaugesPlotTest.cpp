@@ -41,6 +41,16 @@ TEST(PostGaugesPlot, readsEveryKind)
     EXPECT_EQ(plots[3]->name(), "d");
 }
 
+TEST(PostGaugesPlot, readsTheSpecimen)
+{
+    std::filesystem::path const folder = std::filesystem::path(MPSDEM_TEST_DATA).parent_path() / "etc" / "caseDicts";
+    auto const dict = Dictionary::fromFile(folder / "postGaugesDict", folder);
+    dict.requireHeader();
+    PostCase const postCase = PostCase::read(folder, {}, dict);
+    EXPECT_EQ(postCase.spacing, 0.02);
+    EXPECT_EQ(readPlots(dict, postCase.pictures).size(), 5U);
+}
+
 TEST(PostGaugesPlot, refusesWhatItDoesNotKnow)
 {
     expectMessage("a { type curve; }", "did you mean curves");

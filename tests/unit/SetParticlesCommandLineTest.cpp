@@ -78,9 +78,10 @@ TEST(SetParticlesCommandLine, ErrorsBecomeExitCodesAndOpenFoamsWords)
     testing::internal::CaptureStderr();
     EXPECT_EQ(run({}, [](CommandLine const&) { return 0; }), 0);
     EXPECT_EQ(run({"-foo"}, [](CommandLine const&) { return 0; }), 2);
-    EXPECT_EQ(run({}, [](CommandLine const&) -> int {
-                  throw CaseError(ExitCode::BadInput, Location{"system/controlDict", 12, "endTime"}, "endTime is missing", "a time");
-              }),
+    EXPECT_EQ(run({},
+                  [](CommandLine const&) -> int {
+                      throw CaseError(ExitCode::BadInput, Location{"system/controlDict", 12, "endTime"}, "endTime is missing", "a time");
+                  }),
               2);
     EXPECT_EQ(run({}, [](CommandLine const&) -> int { throw CaseError(ExitCode::Locked, "the case is in use"); }), 4);
     EXPECT_EQ(run({}, [](CommandLine const&) -> int { throw std::bad_alloc(); }), 8);
@@ -95,8 +96,8 @@ TEST(SetParticlesCommandLine, ErrorsBecomeExitCodesAndOpenFoamsWords)
 TEST(SetParticlesCommandLine, BannerHasOpenFoamsLines)
 {
     std::string const text = banner(parse({"-case", "/tmp"}));
-    for (char const* word : {"Build  : ", "Arch   : ", "Exec   : anyApp -case /tmp", "Date   : ", "Time   : ", "Host   : ", "PID    : ",
-                             "I/O    : uncollated", "Case   : /tmp\n", "nProcs : 1"})
+    for (char const* word : {"Build  : ", "Arch   : ", "Exec   : anyApp -case /tmp",
+                             "Date   : ", "Time   : ", "Host   : ", "PID    : ", "I/O    : uncollated", "Case   : /tmp\n", "nProcs : 1"})
         EXPECT_NE(text.find(word), std::string::npos) << word;
 }
 

@@ -184,10 +184,11 @@ TEST(SetParticles, PressureFollowsTheRegionAboveOrTheSurfaceGiven)
 TEST(SetParticles, BoxesMayBeOpenAndCirclesLieOutside)
 {
     Lattice const lattice{2, 0.05, 1};
-    auto const dict = Dictionary::fromText("geometry { tank { type searchableBox; min (0 0 0); max (2 1 0); open (top left); }"
-                                           " pile { type searchableCylinder; point1 (1 0.5 0); point2 (1 0.5 1); radius 0.2; }"
-                                           " roof { type searchablePlate; origin (0 1 0); span (2 0 0); } }"
-                                           "walls ( { name basin; surface tank; } { surface pile; } { surface roof; side right; thickness 0.2; } );");
+    auto const dict =
+        Dictionary::fromText("geometry { tank { type searchableBox; min (0 0 0); max (2 1 0); open (top left); }"
+                             " pile { type searchableCylinder; point1 (1 0.5 0); point2 (1 0.5 1); radius 0.2; }"
+                             " roof { type searchablePlate; origin (0 1 0); span (2 0 0); } }"
+                             "walls ( { name basin; surface tank; } { surface pile; } { surface roof; side right; thickness 0.2; } );");
     auto const walls = readWalls(dict, lattice, 2.1);
     dict.requireAllRead();
     ASSERT_EQ(walls.size(), 3u);

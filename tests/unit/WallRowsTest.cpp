@@ -74,7 +74,10 @@ TEST(WallRows, CornerOfATankIsFilledOnce)
     EXPECT_TRUE(has(rows, {-h, -h, 0}, ParticleType::Wall)); // on the bisector
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-            if (i + j > 0) EXPECT_TRUE(has(rows, {-h - i * spacing, -h - j * spacing, 0}, ParticleType::Ghost)) << i << " " << j;
+        {
+            if (i + j == 0) continue;
+            EXPECT_TRUE(has(rows, {-h - i * spacing, -h - j * spacing, 0}, ParticleType::Ghost)) << i << " " << j;
+        }
     EXPECT_NEAR(leastDistance(rows), spacing, 1e-9);
 }
 
@@ -82,9 +85,11 @@ TEST(WallRows, RampAndFloorAsTwoWallsJoinLikeOne)
 {
     std::vector<Vector> const points{{-0.6, 1.6, 0}, {1, 0, 0}, {4, 0, 0}};
     auto const one = rowsOf({Polyline("bed", points, false, Side::Left)});
-    auto const two = rowsOf({Polyline("ramp", {points[0], points[1]}, false, Side::Left), Polyline("floor", {points[1], points[2]}, false, Side::Left)});
+    auto const two =
+        rowsOf({Polyline("ramp", {points[0], points[1]}, false, Side::Left), Polyline("floor", {points[1], points[2]}, false, Side::Left)});
     ASSERT_EQ(one.position.size(), two.position.size());
-    for (std::size_t i = 0; i < one.position.size(); ++i) EXPECT_TRUE(has(two, one.position[i], one.type[i])) << one.position[i].transpose();
+    for (std::size_t i = 0; i < one.position.size(); ++i)
+        EXPECT_TRUE(has(two, one.position[i], one.type[i])) << one.position[i].transpose();
     EXPECT_GE(leastDistance(two), 0.7 * spacing);
     // No hole in the wall row at the foot, whose parallel turns at foot - l0 / 2 (tan 22.5 degrees, 1).
     Vector const turn(1 - 0.5 * spacing * std::tan(std::numbers::pi / 8), -0.5 * spacing, 0);
@@ -118,6 +123,7 @@ TEST(WallRows, StepEdgeOfTheSolidHasNoParticleNearerThanItsRow)
     auto const rows = rowsOf(walls);
     for (std::size_t i = 0; i < rows.position.size(); ++i)
     {
+        if (rows.position[i].x() > 1 || rows.position[i].y() < -1) continue; // beyond the open ends
         Real const depth = -walls[0].closest(rows.position[i]).distance;
         EXPECT_GE(depth, (rows.type[i] == ParticleType::Wall ? 0.48 : 1.48) * spacing - 1e-12) << rows.position[i].transpose();
     }

@@ -20,7 +20,7 @@ struct SurfaceSettings
     int dimensions = 2;          ///< 2: x-y plane; 3.
     Vector up = Vector::UnitY(); ///< Unit vector against gravity.
     SurfaceMethod method = SurfaceMethod::Volume;
-    Real width = 3;  ///< Width of the column in spacings.
+    Real width = 2;  ///< Width of the column in spacings.
     int splash = 20; ///< Groups of fewer fluid particles are drops and are not seen.
 };
 
@@ -33,7 +33,7 @@ struct SurfaceSettings
 /// Volume (default): every particle is a square (cube) of one spacing; with V the part of them in the column of width W (area W, W^2 in
 /// 3-D) above the level z0 = top - 3 spacings: eta = z0 + V / W. Exact for a lattice with a level surface; an air pocket below the surface
 /// counts as missing water. A wave of length L is lowered by
-/// (pi W / L)^2 / 6 of its height: 0.6 % for L = 50 spacings.
+/// (pi W / L)^2 / 6 of its height: 0.3 % for L = 50 spacings.
 /// Top: the highest place on the vertical line through the gauge where the fill fraction C = sum_j V_j w(|r - r_j|) is 1/2, with the
 /// C2 kernel of Wendland (1995) of radius 2.5 spacings; 1/2 is its value on a plane surface.
 class FreeSurface

@@ -16,7 +16,7 @@ namespace mpsDem::postGauges {
 /// | key | meaning | default |
 /// |---|---|---|
 /// | method | volume or top (see FreeSurface) | volume |
-/// | width | width of the column in spacings, 1 to 20 | 3 |
+/// | width | width of the column in spacings, 1 to 20 | 2 |
 /// | splash | groups of fewer fluid particles are drops, 1 to 1e6 | 20 |
 /// | zero | level that counts as eta = 0, along `up` [m] | 0 |
 /// | series | particle files in VTK/ | particles |

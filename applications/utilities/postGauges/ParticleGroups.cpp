@@ -47,11 +47,11 @@ private:
     std::vector<int> parent_;
 };
 
-/// Joins the particle with those of one cell that are within reach.
+/// Joins the particle with those of one cell, from an index on, that are within reach.
 void joinCell(std::vector<Vector> const& positions, Real reach, std::vector<InCell> const& sorted, InCell const& from, Cell const& cell,
-              Groups& groups)
+              int first, Groups& groups)
 {
-    auto other = std::lower_bound(sorted.begin(), sorted.end(), InCell{cell, from.index + 1}, lessCell);
+    auto other = std::lower_bound(sorted.begin(), sorted.end(), InCell{cell, first}, lessCell);
     for (; other != sorted.end() && other->cell == cell; ++other)
     {
         Vector const apart = positions[static_cast<std::size_t>(other->index)] - positions[static_cast<std::size_t>(from.index)];
@@ -72,12 +72,15 @@ std::vector<int> groupSizes(std::vector<Vector> const& positions, Real reach)
     }
     std::sort(sorted.begin(), sorted.end(), lessCell);
     Groups groups(positions.size());
+    bool const flat = std::all_of(sorted.begin(), sorted.end(), [&](InCell const& a) { return a.cell[2] == sorted.front().cell[2]; });
     for (InCell const& from : sorted)
     {
-        for (int k = 0; k < 27; ++k)
+        // The cell itself and those after it: the others have looked at this one.
+        for (int k = 13; k < 27; ++k)
         {
+            if (flat && k % 3 != 1) continue;
             Cell const cell = {from.cell[0] + k / 9 - 1, from.cell[1] + k / 3 % 3 - 1, from.cell[2] + k % 3 - 1};
-            joinCell(positions, reach, sorted, from, cell, groups);
+            joinCell(positions, reach, sorted, from, cell, k == 13 ? from.index + 1 : 0, groups);
         }
     }
     std::vector<int> members(positions.size(), 0), sizes(positions.size(), 0);

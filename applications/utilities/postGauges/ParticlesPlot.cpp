@@ -1,7 +1,7 @@
 #include "postGauges/ParticlesPlot.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 #include "core/Log.h"
 #include "postGauges/Axes.h"
@@ -103,6 +103,7 @@ std::pair<Real, Real> ParticlesPlot::rangeOf(Series const& series, std::vector<s
         high = std::max(high, percentile(values, 1 - cut));
     }
     require(low <= high, where_, "no particle that is shown has a colour", "show (fluid ...); or colourWalls true;");
+    if (palette_ == "coolWarm") low = -(high = std::max(std::abs(low), std::abs(high)));
     bool const magnitude = field_ == "p" || field_.starts_with("mag");
     return niceRange(magnitude && scale_ > 0 ? std::min(0.0, low) : low, high);
 }

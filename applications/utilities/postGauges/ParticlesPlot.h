@@ -17,7 +17,7 @@ namespace mpsDem::postGauges {
 /// |---|---|---|
 /// | times | [s], the nearest written ones are taken | all |
 /// | field | p, magU, Ux, Uy, type, n, surface, or another array | p |
-/// | range | (low high) of the colours; left out: from all pictures' values without the outermost 0.2 % | |
+/// | range | (low high) of the colours; left out: from all pictures' values without the outermost 0.2 %, with coolWarm the same on both sides of 0 | |
 /// | window | ((xMin yMin 0) (xMax yMax 0)) [m] | all that is shown at the first time |
 /// | slice | (zMin zMax) [m], 3-D: only particles between | all |
 /// | show | of fluid, wall, ghost | (fluid wall), with field type all |

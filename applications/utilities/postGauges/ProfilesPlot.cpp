@@ -33,7 +33,7 @@ std::vector<Real> timesOf(std::vector<Real> const& times, std::vector<std::size_
 ProfilesPlot::ProfilesPlot(std::string const& name, Dictionary const& dict, PictureSettings const& pictures)
     : Plot(name),
       times_(dict.getOr("times", std::vector<Real>())),
-      step_(dict.getInRangeOr("step", 0, 1e-12, 1e12)),
+      distance_(dict.getInRangeOr("spacing", 0, 1e-12, 1e12)),
       axis_(dict.getWordOr("axis", "x", {"x", "y", "z", "distance"}, "axes")),
       panels_(dict.getWordOr("layout", "panels", {"panels", "overlay"}, "layouts") == "panels"),
       bodies_(dict.getOr("bodies", std::vector<std::string>())),
@@ -42,10 +42,10 @@ ProfilesPlot::ProfilesPlot(std::string const& name, Dictionary const& dict, Pict
       pictures_(pictures),
       where_(dict.where())
 {
-    if (dict.found("start")) start_ = dict.get<Vector>("start");
-    if (dict.found("end")) end_ = dict.get<Vector>("end");
-    require(start_.has_value() == end_.has_value(), dict.where(), "start and end must be given both or not at all");
-    require(!start_ || (*end_ - *start_).norm() > 0, dict.where("end"), "start and end are one point");
+    if (dict.found("from")) from_ = dict.get<Vector>("from");
+    if (dict.found("to")) to_ = dict.get<Vector>("to");
+    require(from_.has_value() == to_.has_value(), dict.where(), "from and to must be given both or not at all");
+    require(!from_ || (*to_ - *from_).norm() > 0, dict.where("to"), "from and to are one point");
     readReferences(dict);
 }
 
@@ -62,19 +62,19 @@ void ProfilesPlot::readReferences(Dictionary const& dict)
 
 std::vector<Vector> ProfilesPlot::line(ParticleFrame const& frame, PostCase const& postCase) const
 {
-    Vector start = start_.value_or(Vector::Zero()), end = end_.value_or(Vector::Zero());
-    if (!start_)
+    Vector start = from_.value_or(Vector::Zero()), end = to_.value_or(Vector::Zero());
+    if (!from_)
     {
         auto const fluid = frame.fluid();
-        require(!fluid.empty(), where_, "there is no fluid to find start and end from");
+        require(!fluid.empty(), where_, "there is no fluid to find from and to by");
         auto const less = [](Vector const& a, Vector const& b) { return a.x() < b.x(); };
         auto const [low, high] = std::minmax_element(fluid.begin(), fluid.end(), less);
         start = Vector(low->x(), 0, 0);
         end = Vector(std::max(high->x(), low->x() + postCase.requireSpacing()), 0, 0);
     }
-    Real const step = step_ > 0 ? step_ : postCase.requireSpacing();
+    Real const step = distance_ > 0 ? distance_ : postCase.requireSpacing();
     Real const length = (end - start).norm();
-    require(length / step < mostPoints, where_, "the line has more than " + number(mostPoints) + " points", "a larger step");
+    require(length / step < mostPoints, where_, "the line has more than " + number(mostPoints) + " points", "a larger spacing");
     auto const count = static_cast<std::size_t>(std::max(1.0, std::round(length / step)));
     std::vector<Vector> places;
     for (std::size_t i = 0; i <= count; ++i) places.push_back(start + (end - start) * (static_cast<Real>(i) / static_cast<Real>(count)));
@@ -116,15 +116,15 @@ std::vector<ProfilesPlot::Profile> ProfilesPlot::profiles(PostCase const& postCa
 
 void ProfilesPlot::addReferences(PostCase const& postCase, std::vector<Profile>& all) const
 {
-    std::vector<Real> times;
-    for (Profile const& profile : all) times.push_back(profile.time);
-    std::sort(times.begin(), times.end());
+    auto const written = Series(postCase, surface_.series, where_).times();
     for (auto const& [time, source] : references_)
     {
-        if (postCase.times.given() && (time < times.front() || time > times.back())) continue;
-        Real const nearest = times[nearestTime(times, time, source.table.where)];
-        auto const same = [&](Profile const& profile) { return profile.time == nearest; };
-        std::find_if(all.begin(), all.end(), same)->curves.push_back(source.load(postCase));
+        Real const nearest = written[nearestTime(written, time, source.table.where)];
+        auto const profile = std::find_if(all.begin(), all.end(), [&](Profile const& one) { return one.time == nearest; });
+        if (profile == all.end() && postCase.times.given()) continue;
+        require(profile != all.end(), source.table.where, "there is no profile at the time of this reference",
+                "times (" + number(time) + " ...);");
+        profile->curves.push_back(source.load(postCase));
     }
 }
 

@@ -14,9 +14,9 @@ namespace mpsDem::postGauges {
 /// | key | meaning | default |
 /// |---|---|---|
 /// | times | [s], the nearest written ones are taken | all |
-/// | start end | ends of the line (x y z) [m] | extent of the fluid in x |
-/// | step | distance of the points [m] | the particle spacing |
-/// | axis | abscissa: x y z, or distance from `start` | x |
+/// | from to | ends of the line (x y z) [m] | extent of the fluid in x |
+/// | spacing | distance of the points [m] | the particle spacing |
+/// | axis | abscissa: x y z, or distance from `from` | x |
 /// | layout | panels: one below the other; overlay: in one | panels |
 /// | bodies | names of bodies drawn with it | () |
 /// | references | { name { time ...; CurveSource } } drawn at that time | |
@@ -47,9 +47,9 @@ private:
     void drawOverlay(PostCase const& postCase, std::vector<Profile> const& all) const;
 
     std::vector<Real> times_;
-    std::optional<Vector> start_;
-    std::optional<Vector> end_;
-    Real step_ = 0;
+    std::optional<Vector> from_;
+    std::optional<Vector> to_;
+    Real distance_ = 0;
     std::string axis_;
     bool panels_ = true;
     std::vector<std::string> bodies_;

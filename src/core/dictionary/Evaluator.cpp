@@ -18,72 +18,42 @@ namespace {
 double minimum(double const* values, int count) { return *std::min_element(values, values + count); }
 double maximum(double const* values, int count) { return *std::max_element(values, values + count); }
 
+struct Unary
+{
+    char const* name;
+    double (*value)(double);
+};
+
+double sign(double x) { return x >= 0 ? 1 : -1; }
+double pos(double x) { return x > 0 ? 1 : 0; }
+double neg(double x) { return x < 0 ? 1 : 0; }
+double pos0(double x) { return x >= 0 ? 1 : 0; }
+double neg0(double x) { return x <= 0 ? 1 : 0; }
+double truth(double x) { return x != 0 ? 1 : 0; }
+double square(double x) { return x * x; }
+double degToRad(double x) { return x * (std::numbers::pi / 180); }
+double radToDeg(double x) { return x * (180 / std::numbers::pi); }
+double pi() { return std::numbers::pi; }
+
+constexpr Unary unaries[] = {{"sin", &std::sin},   {"cos", &std::cos},     {"tan", &std::tan},      {"asin", &std::asin},
+                             {"acos", &std::acos}, {"atan", &std::atan},   {"sinh", &std::sinh},    {"cosh", &std::cosh},
+                             {"tanh", &std::tanh}, {"exp", &std::exp},     {"log", &std::log},      {"log10", &std::log10},
+                             {"sqrt", &std::sqrt}, {"cbrt", &std::cbrt},   {"sqr", &square},        {"magSqr", &square},
+                             {"mag", &std::fabs},  {"floor", &std::floor}, {"ceil", &std::ceil},    {"round", &std::round},
+                             {"sign", &sign},      {"pos", &pos},          {"neg", &neg},           {"pos0", &pos0},
+                             {"neg0", &neg0},      {"bool", &truth},       {"degToRad", &degToRad}, {"radToDeg", &radToDeg}};
+
+double power(double x, double y) { return std::pow(x, y); }
+double arcTangent(double y, double x) { return std::atan2(y, x); }
+double hypotenuse(double x, double y) { return std::hypot(x, y); }
+
 void defineFunctions(mu::Parser& parser)
 {
-    parser.DefineFun(
-        "sin", +[](double x) { return std::sin(x); });
-    parser.DefineFun(
-        "cos", +[](double x) { return std::cos(x); });
-    parser.DefineFun(
-        "tan", +[](double x) { return std::tan(x); });
-    parser.DefineFun(
-        "asin", +[](double x) { return std::asin(x); });
-    parser.DefineFun(
-        "acos", +[](double x) { return std::acos(x); });
-    parser.DefineFun(
-        "atan", +[](double x) { return std::atan(x); });
-    parser.DefineFun(
-        "sinh", +[](double x) { return std::sinh(x); });
-    parser.DefineFun(
-        "cosh", +[](double x) { return std::cosh(x); });
-    parser.DefineFun(
-        "tanh", +[](double x) { return std::tanh(x); });
-    parser.DefineFun(
-        "exp", +[](double x) { return std::exp(x); });
-    parser.DefineFun(
-        "log", +[](double x) { return std::log(x); });
-    parser.DefineFun(
-        "log10", +[](double x) { return std::log10(x); });
-    parser.DefineFun(
-        "sqrt", +[](double x) { return std::sqrt(x); });
-    parser.DefineFun(
-        "cbrt", +[](double x) { return std::cbrt(x); });
-    parser.DefineFun(
-        "sqr", +[](double x) { return x * x; });
-    parser.DefineFun(
-        "mag", +[](double x) { return std::abs(x); });
-    parser.DefineFun(
-        "magSqr", +[](double x) { return x * x; });
-    parser.DefineFun(
-        "floor", +[](double x) { return std::floor(x); });
-    parser.DefineFun(
-        "ceil", +[](double x) { return std::ceil(x); });
-    parser.DefineFun(
-        "round", +[](double x) { return std::round(x); });
-    parser.DefineFun(
-        "sign", +[](double x) { return x >= 0 ? 1.0 : -1.0; });
-    parser.DefineFun(
-        "pos", +[](double x) { return x > 0 ? 1.0 : 0.0; });
-    parser.DefineFun(
-        "neg", +[](double x) { return x < 0 ? 1.0 : 0.0; });
-    parser.DefineFun(
-        "pos0", +[](double x) { return x >= 0 ? 1.0 : 0.0; });
-    parser.DefineFun(
-        "neg0", +[](double x) { return x <= 0 ? 1.0 : 0.0; });
-    parser.DefineFun(
-        "bool", +[](double x) { return x != 0 ? 1.0 : 0.0; });
-    parser.DefineFun(
-        "degToRad", +[](double x) { return x * (std::numbers::pi / 180); });
-    parser.DefineFun(
-        "radToDeg", +[](double x) { return x * (180 / std::numbers::pi); });
-    parser.DefineFun(
-        "pow", +[](double x, double y) { return std::pow(x, y); });
-    parser.DefineFun(
-        "atan2", +[](double y, double x) { return std::atan2(y, x); });
-    parser.DefineFun(
-        "hypot", +[](double x, double y) { return std::hypot(x, y); });
-    parser.DefineFun(
-        "pi", +[]() { return std::numbers::pi; });
+    for (auto const& [name, value] : unaries) parser.DefineFun(name, value);
+    parser.DefineFun("pow", &power);
+    parser.DefineFun("atan2", &arcTangent);
+    parser.DefineFun("hypot", &hypotenuse);
+    parser.DefineFun("pi", &pi);
     parser.DefineFun("min", &minimum);
     parser.DefineFun("max", &maximum);
 }

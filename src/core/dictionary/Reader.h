@@ -24,10 +24,10 @@ std::filesystem::path etcFolder();
 
 /// Reads one case file with its includes into a tree of entries: the parser, the directives (#...) and the macros ($...).
 ///
-/// The grammar is that of OpenFOAM v1912. On purpose it departs from it in this: an undefined macro is an error everywhere; macros never stand
-/// for variables of the environment (but $FOAM_CASE in the name of an include); #eval inserts macros with all their digits and knows scalars
-/// only; #calc, #codeStream and #includeFunc are refused; lists without a keyword (mesh files) are no dictionaries; includes stay beneath the
-/// case or etc/caseDicts. A FoamFile header of an included file is dropped, as there.
+/// The grammar is that of OpenFOAM v1912. On purpose it departs from it in this: an undefined macro is an error everywhere; macros never
+/// stand for variables of the environment (but $FOAM_CASE in the name of an include); #eval inserts macros with all their digits and knows
+/// scalars only; #calc, #codeStream and #includeFunc are refused; lists without a keyword (mesh files) are no dictionaries; includes stay
+/// beneath the case or etc/caseDicts. A FoamFile header of an included file is dropped, as there.
 class Reader
 {
 public:

@@ -124,7 +124,7 @@ bool Reader::maySee(fs::path const& file) const
     return isBeneath(file, resolved(options_.caseRoot)) || (!etc.empty() && isBeneath(file, resolved(etc / "caseDicts")));
 }
 
-/// The file that an include names, or empty where there is none. A file outside the case is refused before anybody looks whether it is there.
+/// The file that an include names, or empty where there is none. One outside the case is refused before anybody looks whether it is there.
 fs::path Reader::resolvedInclude(std::string const& name, bool fromEtc, Lexer const& lexer, int line) const
 {
     Location const where = lexer.where(line);
