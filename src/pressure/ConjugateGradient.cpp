@@ -9,75 +9,23 @@ namespace mpsDem {
 
 namespace {
 
-/// Rows of the scaled triangles are filled with zeros to a multiple of this: a loop of nearly constant length costs no mispredicted branch
-/// per row, which halves the time of a sweep over short rows.
-constexpr int rowUnit = 4;
-/// A pivot below this share of the diagonal is replaced by the diagonal.
-constexpr Real smallestPivot = 0.02;
 /// The true residual is formed in every so many iterations, and earlier where the estimate says that the end is near.
 constexpr int checkInterval = 4;
 
 constexpr std::array<char const*, 3> names = {"noPreconditionerPCG", "diagonalPCG", "ICPCG"};
 
-int padded(int count) { return (count + rowUnit - 1) / rowUnit * rowUnit; }
-
-/// Share m of the dropped fill that is moved to the diagonal, m = 1 - c h^2 with h = N^(-1/d) for the mesh width.
-/// With m = 1 the smallest pivots spoil the condition number, with a constant m < 1 the iterations grow as without modification;
-/// c = 20 (2-D) and 6 (3-D) are the best of a scan over 1e3 .. 1e5 rows (etc/doc/linear-solvers.md).
-Real fillShare(int rows, int dimensions)
-{
-    Real const n = std::max(rows, 1);
-    Real const loss = dimensions == 2 ? 20 / n : 6 / std::cbrt(n * n);
-    return std::max(Real(0), 1 - loss);
-}
-
-/// start - sum_k value[k] x[column[k]] over a padded row, from front to back: the last entries depend on the row before.
-Real forwardSum(int const* column, Real const* value, int count, Real const* x, Real start)
-{
-    for (int k = 0; k < count; k += rowUnit)
-    {
-        start -= value[k] * x[column[k]];
-        start -= value[k + 1] * x[column[k + 1]];
-        start -= value[k + 2] * x[column[k + 2]];
-        start -= value[k + 3] * x[column[k + 3]];
-    }
-    return start;
-}
-
-/// The same from back to front: the first entries depend on the row after.
-Real backwardSum(int const* column, Real const* value, int count, Real const* x, Real start)
-{
-    for (int k = count - 1; k >= 0; k -= rowUnit)
-    {
-        start -= value[k] * x[column[k]];
-        start -= value[k - 1] * x[column[k - 1]];
-        start -= value[k - 2] * x[column[k - 2]];
-        start -= value[k - 3] * x[column[k - 3]];
-    }
-    return start;
-}
-
-/// Moves the entries [first, last) to the end of their row and fills its front with zeros.
-void padFront(std::vector<int>& column, std::vector<Real>& value, int first, int last, int end)
-{
-    int const gap = end - last;
-    if (gap == 0) return;
-    int const nearest = column[first];
-    std::move_backward(column.begin() + first, column.begin() + last, column.begin() + end);
-    std::move_backward(value.begin() + first, value.begin() + last, value.begin() + end);
-    std::fill_n(column.begin() + first, gap, nearest);
-    std::fill_n(value.begin() + first, gap, Real(0));
-}
-
 } // namespace
 
 ConjugateGradient::ConjugateGradient(Preconditioner preconditioner, SolverControls const& controls)
-    : preconditioner_(preconditioner), controls_(controls)
+    : preconditioner_(preconditioner),
+      controls_(controls)
 {}
 
-void ConjugateGradient::setMatrix(SparseMatrix const& matrix, bool)
+void ConjugateGradient::setMatrix(SparseMatrix const& matrix, bool rowsChanged)
 {
+    bool const resized = static_cast<int>(cholesky_.order.size()) != matrix.rows;
     matrix_ = &matrix;
+    if (preconditioner_ == Preconditioner::IncompleteCholesky && (rowsChanged || resized)) cholesky_.chooseOrder(matrix);
     rebuild(0);
 }
 
@@ -87,8 +35,7 @@ void ConjugateGradient::rebuild(Real shift)
     for (auto* const work : {&residual_, &direction_, &image_, &step_, &scale_}) work->resize(n);
     if (preconditioner_ == Preconditioner::IncompleteCholesky)
     {
-        factorise(shift);
-        scaleTriangles();
+        cholesky_.factorise(*matrix_, shift, controls_.dimensions);
         return;
     }
     for (int i = 0; i < matrix_->rows; ++i)
@@ -99,73 +46,6 @@ void ConjugateGradient::rebuild(Real shift)
             if (matrix_->column[k] == i) diagonal = matrix_->value[k];
         }
         scale_[i] = preconditioner_ == Preconditioner::Diagonal ? 1 / diagonal : 1;
-    }
-}
-
-/// D_i = a_ii - sum_{k<i} a_ik / D_k (m U_k + (1 - m) a_ki), U_k = sum of row k right of its diagonal, m = fillShare.
-/// While it runs, `step_` holds U and `image_` 1 / D; at the end `scale_` is D^-1/2 and `defect_` is 2 - a_ii / D_i.
-void ConjugateGradient::factorise(Real shift)
-{
-    SparseMatrix const& a = *matrix_;
-    defect_.resize(scale_.size());
-    lowerStart_.assign(scale_.size() + 1, 0);
-    upperStart_.assign(scale_.size() + 1, 0);
-    Real const share = fillShare(a.rows, controls_.dimensions);
-    for (int i = 0; i < a.rows; ++i)
-    {
-        int k = a.rowStart[i];
-        int const end = a.rowStart[i + 1];
-        Real fill = 0;
-        for (; a.column[k] < i; ++k)
-        {
-            int const j = a.column[k];
-            fill += a.value[k] * image_[j] * (share * step_[j] + (1 - share) * a.value[k]);
-        }
-        Real const diagonal = a.value[k];
-        lowerStart_[i + 1] = lowerStart_[i] + padded(k - a.rowStart[i]);
-        upperStart_[i + 1] = upperStart_[i] + padded(end - k - 1);
-        Real right = 0;
-        for (++k; k < end; ++k) right += a.value[k];
-        Real pivot = (1 + shift) * diagonal - fill;
-        if (!(pivot >= smallestPivot * diagonal)) pivot = diagonal;
-        step_[i] = right;
-        image_[i] = 1 / pivot;
-        scale_[i] = 1 / std::sqrt(pivot);
-        defect_[i] = 2 - diagonal / pivot;
-    }
-}
-
-void ConjugateGradient::scaleTriangles()
-{
-    SparseMatrix const& a = *matrix_;
-    lowerColumn_.resize(static_cast<std::size_t>(lowerStart_.back()));
-    upperColumn_.resize(static_cast<std::size_t>(upperStart_.back()));
-    lower_.resize(lowerColumn_.size());
-    upper_.resize(upperColumn_.size());
-    for (int i = 0; i < a.rows; ++i)
-    {
-        Real const own = scale_[i];
-        int k = a.rowStart[i];
-        int const end = a.rowStart[i + 1];
-        int l = lowerStart_[i];
-        for (; a.column[k] < i; ++k, ++l)
-        {
-            lowerColumn_[l] = a.column[k];
-            lower_[l] = a.value[k] * own * scale_[a.column[k]];
-        }
-        // Zeros go to the far side of the row, onto a column that is read anyway.
-        padFront(lowerColumn_, lower_, lowerStart_[i], l, lowerStart_[i + 1]);
-        int u = upperStart_[i];
-        for (++k; k < end; ++k, ++u)
-        {
-            upperColumn_[u] = a.column[k];
-            upper_[u] = a.value[k] * own * scale_[a.column[k]];
-        }
-        for (; u < upperStart_[i + 1]; ++u)
-        {
-            upperColumn_[u] = a.column[end - 1];
-            upper_[u] = 0;
-        }
     }
 }
 
@@ -250,17 +130,14 @@ Real ConjugateGradient::applyFactorised(Real beta)
     int const n = matrix_->rows;
     for (int i = n - 1; i >= 0; --i)
     {
-        int const start = upperStart_[i];
         Real const own = residual_[i] + beta * direction_[i];
         direction_[i] = own;
-        step_[i] = backwardSum(upperColumn_.data() + start, upper_.data() + start, upperStart_[i + 1] - start, step_.data(), own);
+        step_[i] = cholesky_.upper.subtractBackward(i, step_.data(), own);
     }
     Real curvature = 0;
     for (int i = 0; i < n; ++i)
     {
-        int const start = lowerStart_[i];
-        Real const own = direction_[i] - defect_[i] * step_[i];
-        Real const w = forwardSum(lowerColumn_.data() + start, lower_.data() + start, lowerStart_[i + 1] - start, image_.data(), own);
+        Real const w = cholesky_.lower.subtractForward(i, image_.data(), direction_[i] - cholesky_.defect[i] * step_[i]);
         image_[i] = w;
         curvature += direction_[i] * (step_[i] + w);
     }
@@ -273,10 +150,7 @@ Real ConjugateGradient::squaredResidual() const
     Real square = 0;
     for (int i = 0; i < matrix_->rows; ++i)
     {
-        int const start = lowerStart_[i];
-        Real const negative = forwardSum(lowerColumn_.data() + start, lower_.data() + start, lowerStart_[i + 1] - start, residual_.data(),
-                                         -residual_[i]);
-        Real const rest = negative / scale_[i];
+        Real const rest = cholesky_.lower.subtractForward(i, residual_.data(), -residual_[i]) / cholesky_.scale[i];
         square += rest * rest;
     }
     return square;
@@ -287,14 +161,15 @@ int ConjugateGradient::iterateFactorised(std::span<Real> x, Real target, int mos
     int const n = matrix_->rows;
     Real rho = 0;
     Real square = 0;
+    residual_.swap(image_);
     for (int i = 0; i < n; ++i)
     {
-        int const start = lowerStart_[i];
-        square += residual_[i] * residual_[i];
-        residual_[i] = forwardSum(lowerColumn_.data() + start, lower_.data() + start, lowerStart_[i + 1] - start, residual_.data(),
-                                  scale_[i] * residual_[i]);
+        Real const rest = image_[cholesky_.order[i]];
+        square += rest * rest;
+        residual_[i] = cholesky_.lower.subtractForward(i, residual_.data(), cholesky_.scale[i] * rest);
         rho += residual_[i] * residual_[i];
         direction_[i] = 0;
+        correction_[i] = 0;
     }
     Real ratio = square / rho;
     Real beta = 0;
@@ -307,7 +182,7 @@ int ConjugateGradient::iterateFactorised(std::span<Real> x, Real target, int mos
         Real next = 0;
         for (int i = 0; i < n; ++i)
         {
-            x[i] += alpha * scale_[i] * step_[i];
+            correction_[i] += alpha * step_[i];
             Real const rest = residual_[i] - alpha * (step_[i] + image_[i]);
             residual_[i] = rest;
             next += rest * rest;
@@ -321,6 +196,7 @@ int ConjugateGradient::iterateFactorised(std::span<Real> x, Real target, int mos
             ratio = square / rho;
         }
     }
+    for (int i = 0; i < n; ++i) x[cholesky_.order[i]] += cholesky_.scale[i] * correction_[i];
     return iteration;
 }
 

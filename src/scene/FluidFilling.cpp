@@ -14,8 +14,8 @@ namespace {
 
 constexpr Real clearance = 0.45;         ///< Of fluid on the lattice from solids, in spacings.
 constexpr Real jitteredClearance = 0.25; ///< Of jittered fluid, in spacings.
-constexpr int samples = 233;             ///< In a cell that a surface cuts: a Fibonacci lattice, in line with no wall.
-constexpr int turn = 144;                ///< Fibonacci number before it.
+constexpr int samples = 610;             ///< In a cell that a surface cuts: a Fibonacci lattice, in line with no wall.
+constexpr int turn = 377;                ///< Fibonacci number before it.
 constexpr Real mostCells = 2e8;
 
 /// Uniform numbers in [-1, 1) from the 53 leading bits of a Mersenne twister: the same on every machine.

@@ -43,7 +43,8 @@ struct FluidFilling
     Field<Vector> position; ///< [m]
     Field<int> region;      ///< The last region that holds the particle.
     std::vector<int> count; ///< Of each region: lattice points within it, before solids are carved out.
-    Real volume = 0;        ///< Of the regions without solids, sampled (error about 1e-4 of the whole) [m3].
+    Real volume =
+        0; ///< Of the regions without solids, sampled (error about 0.01 of a cell for each cell that a surface cuts, random) [m3].
 };
 
 /// Lattice points origin + (i + 1/2 + offset) l0 that lie in a region, at least 0.45 l0 from walls on their fluid side and at least

@@ -1,11 +1,13 @@
-#include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include "core/Errors.h"
+#include "io/OutputFile.h"
 #include "scene/InitialState.h"
 #include "support/SmallCase.h"
 
@@ -213,6 +215,48 @@ TEST(SetParticlesFaults, AbsentEffectsAreNoFaults)
     dry.remove("constant/transportProperties");
     dry.write("system/setParticlesDict", bed);
     EXPECT_EQ(makeInitialScene(readSceneDefinition(CaseFolder(dry.root()), "system/setParticlesDict")).particles.fluid().size(), 0);
+}
+
+/// Exit code of the application in a case.
+int runApplication(SmallCase const& testCase, std::string const& options = "")
+{
+    std::string const command = std::string("'") + MPSDEM_BIN_DIR + "/setParticles' -case '" + testCase.root().string() + "' " + options +
+                                " > '" + (testCase.root() / "log").string() + "' 2>&1";
+    int const status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(SetParticlesFaults, ParticlesThatWouldNotFitACheckpointAreRefused)
+{
+    SmallCase const testCase;
+    ASSERT_EQ(runApplication(testCase), 0);
+    std::string const before = readBytes(testCase.root() / "0" / "state.0");
+    ASSERT_EQ(runApplication(testCase), 0); // again, as setFields
+    EXPECT_EQ(readBytes(testCase.root() / "0" / "state.0"), before);
+
+    std::filesystem::create_directories(testCase.root() / "checkpoint" / "10");
+    testCase.write("constant/particleProperties", "spacing 0.1;");
+    EXPECT_EQ(runApplication(testCase), 2);
+    EXPECT_EQ(readBytes(testCase.root() / "0" / "state.0"), before);
+    EXPECT_EQ(runApplication(testCase, "-overwrite"), 0);
+    EXPECT_NE(readBytes(testCase.root() / "0" / "state.0"), before);
+    EXPECT_FALSE(std::filesystem::exists(testCase.root() / "checkpoint"));
+}
+
+TEST(SetParticlesFaults, AWrongCaseLeavesTheOldState)
+{
+    SmallCase const testCase;
+    ASSERT_EQ(runApplication(testCase), 0);
+    std::string const before = readBytes(testCase.root() / "0" / "state.0");
+    testCase.write("system/setParticlesDict", bed + "regions ( boxToParticle { box (0 0 0) (0.01 0.01 0); } );");
+    EXPECT_EQ(runApplication(testCase), 2);
+    EXPECT_EQ(readBytes(testCase.root() / "0" / "state.0"), before);
+    std::string const log = readBytes(testCase.root() / "log");
+    EXPECT_NE(log.find("--> FOAM FATAL IO ERROR: "), std::string::npos);
+    EXPECT_NE(log.find("file: system/setParticlesDict.regions"), std::string::npos) << log;
+    EXPECT_NE(log.find("at line 5."), std::string::npos) << log;
+    EXPECT_EQ(runApplication(testCase, "-foo"), 2);
+    EXPECT_EQ(runApplication(testCase, "-help"), 0);
 }
 
 } // namespace
