@@ -115,6 +115,18 @@ Location Dictionary::where(std::string const& key) const
 
 std::string const& Dictionary::name() const { return node_->scopedName; }
 
+namespace {
+
+/// Whether a macro took the entry's value or something inside it, so that the entry serves the file as a variable.
+bool holdsVariable(Entry const& entry)
+{
+    if (entry.taken) return true;
+    if (!entry.dict) return false;
+    return std::any_of(entry.dict->entries.begin(), entry.dict->entries.end(), holdsVariable);
+}
+
+} // namespace
+
 void Dictionary::requireAllRead() const
 {
     for (Entry const& entry : node_->entries)
@@ -123,6 +135,7 @@ void Dictionary::requireAllRead() const
         auto const names = [&](std::string const& key) { return key == entry.key || (entry.match && entry.match->matches(key)); };
         if (header || std::any_of(node_->ignored.begin(), node_->ignored.end(), names)) continue;
         bool const known = std::any_of(node_->asked.begin(), node_->asked.end(), names);
+        if (!known && holdsVariable(entry)) continue;
         std::string const what = "the entry \"" + dictionary::shown(entry.key) + "\" is not known here";
         require(known, node_->where(entry), what, knownWords("entries", dictionary::shown(entry.key), node_->asked));
         if (entry.dict) Dictionary(entry.dict).requireAllRead();

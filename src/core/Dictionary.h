@@ -88,7 +88,8 @@ public:
     /// Name of this dictionary as scoped keyword, e.g. "solvers.p".
     [[nodiscard]] std::string const& name() const;
 
-    /// Throws for the first entry, here or below, that nobody asked for.
+    /// Throws for the first entry, here or below, that nobody asked for. An entry that a macro (`$name`, also in #eval) took, and a dictionary
+    /// that holds one, may be there as variables of the file.
     void requireAllRead() const;
 
     /// OpenFOAM's own output form, as `foamDictionary` of v1912 prints it with all macros and includes expanded: 4 blanks of indentation, values in

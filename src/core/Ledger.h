@@ -11,8 +11,8 @@ namespace mpsDem {
 /// Running sums that the stages of a step keep for budgets, by name: energies [J] and impulses [N s].
 ///
 /// A stage asks for its entry once, in its constructor, and adds to it. A budget reads whatever entries exist, so an effect that is off has none.
-///   energy:  "energy/collision", "energy/shifting", "energy/viscosity", "energy/contactDissipated", "energy/contactStored", ...
-///   impulse: "impulse/gravity", "impulse/walls", "impulse/contact", ... (external impulse on water plus bodies)
+///   energy:  "energy/collision", "energy/contactDissipated", "energy/contactStored"
+///   impulse: "impulse/gravityOnFluid", "impulse/gravityOnBodies", "impulse/walls", "impulse/contactAndSupport" (from outside on water plus bodies)
 class Ledger
 {
 public:

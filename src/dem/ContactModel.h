@@ -39,8 +39,8 @@ public:
                  std::span<RigidBody* const> bodies, std::vector<ContactShape> const& shapes);
 
     /// Number of equal sub-steps of a fluid step dt [s]: 1 where nothing can touch (farther away than 5 mm + v dt), else so many that
-    /// one contact takes collisionResolutionSteps of them: h = pi / (omega steps), omega^2 the largest eigenvalue of M^-1 K with K of all points
-    /// that may touch; and no point moves more than 0.2 dx.
+    /// one contact takes collisionResolutionSteps of them: h = pi / (omega steps), omega^2 the largest eigenvalue of M^-1 K
+    /// with K of all points that may touch; and no point moves more than 0.2 dx.
     /// @throw CaseError (Solver) above 2000.
     [[nodiscard]] int subSteps(std::span<RigidBody* const> bodies, Real dt) const;
 

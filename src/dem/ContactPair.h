@@ -44,8 +44,9 @@ public:
     [[nodiscard]] Real maxOverlap() const;
     [[nodiscard]] Real elasticEnergy() const;
 
-    /// Finds all touching points and hands the history of the last sub-step on to them. A contact inherits from the one of the same point and
-    /// patch, else from one of the same point that has ended on a neighbouring patch with a similar normal. What ends is erased.
+    /// Finds all touching points and hands the history of the last sub-step on to them. A contact inherits from the
+    /// one of the same point and patch, else from one of the same point that has ended on a neighbouring patch with a similar normal.
+    /// What ends is erased.
     void detect(std::span<RigidBody* const> bodies, ContactDissipation& dissipation);
     /// Adds k n n^T of each contact to the sums of its bodies.
     void addSums(std::vector<BodyContactSums>& sums) const;

@@ -4,9 +4,6 @@ namespace mpsDem {
 
 namespace {
 
-/// Below this n/n0 a particle is splash and stays where it flies.
-constexpr Real splashDensity = 0.8;
-
 /// Sum of the surface vectors of the surface particles around i: the direction out of the fluid there.
 Vector outwards(ParticleSet const& particles, NeighbourList const& neighbours, int i)
 {
@@ -28,7 +25,7 @@ std::unique_ptr<Shifting> Shifting::read(Dictionary const& dict, SchemeSet set, 
         dict.getWordOr("type", set == SchemeSet::Paper ? "none" : "surfaceVector", {"surfaceVector", "none"}, "shifting schemes");
     if (type == "none")
     {
-        for (char const* key : {"coefficient", "limit"}) dict.ignore(key);
+        for (char const* key : {"coefficient", "limit", "minDensity"}) dict.ignore(key);
         return nullptr;
     }
     return std::unique_ptr<Shifting>(new Shifting(dict, lattice));
@@ -36,14 +33,15 @@ std::unique_ptr<Shifting> Shifting::read(Dictionary const& dict, SchemeSet set, 
 
 Shifting::Shifting(Dictionary const& dict, Lattice const& lattice)
     : factor_(lattice.spacing * dict.getInRangeOr("coefficient", 0.2, 0, 1)),
-      limit_(lattice.spacing * dict.getInRangeOr("limit", 0.1, 0, 0.5))
+      limit_(lattice.spacing * dict.getInRangeOr("limit", 0.1, 0, 0.5)),
+      minDensity_(dict.getInRangeOr("minDensity", 0.8, 0, 1))
 {}
 
 void Shifting::apply(ParticleSet& particles, NeighbourList const& neighbours) const
 {
     for (int i : particles.fluid())
     {
-        if (particles.surface[i] == SurfaceLabel::Surface || particles.n[i] <= splashDensity) continue;
+        if (particles.surface[i] == SurfaceLabel::Surface || particles.n[i] <= minDensity_) continue;
         Vector shift = factor_ * particles.F[i];
         if (particles.surface[i] == SurfaceLabel::NearSurface)
         {

@@ -10,12 +10,13 @@ namespace mpsDem {
 
 /// Particle shifting: `shiftingSchemes { type surfaceVector; coefficient 0.2; }`. Keeps the cloud regular.
 /// \f[ \delta\mathbf r_i = c\,l_0\,\mathbf F_i, \qquad |\delta\mathbf r_i| \le 0.1\,l_0 \f]
-/// Near the free surface only the part along the surface, on it and in splash (n < 0.8) none.
+/// Near the free surface only the part along the surface, on it and in splash (n/n0 <= minDensity) none.
 ///
 /// | key | meaning | unit | default (standard, paper) | range |
 /// | type | surfaceVector or none | - | surfaceVector, none | - |
 /// | coefficient | c | - | 0.2 | 0..1 |
 /// | limit | longest shift | spacings | 0.1 | 0..0.5 |
+/// | minDensity | n/n0 up to which a particle is not shifted | - | 0.8 | 0..1 |
 class Shifting
 {
 public:
@@ -27,7 +28,7 @@ public:
 private:
     Shifting(Dictionary const& dict, Lattice const& lattice);
 
-    Real factor_, limit_;
+    Real factor_, limit_, minDensity_;
 };
 
 } // namespace mpsDem

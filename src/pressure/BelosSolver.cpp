@@ -190,8 +190,10 @@ void BelosSolver::setMatrix(SparseMatrix const& matrix, bool rowsChanged)
     }
     catch (std::exception const&)
     {
-        if (fromScratch) i.broken = true;
-        else rebuild(0);
+        if (fromScratch)
+            i.broken = true;
+        else
+            rebuild(0);
     }
 }
 

@@ -32,7 +32,7 @@ void ConjugateGradient::setMatrix(SparseMatrix const& matrix, bool rowsChanged)
 void ConjugateGradient::rebuild(Real shift)
 {
     auto const n = static_cast<std::size_t>(matrix_->rows);
-    for (auto* const work : {&residual_, &direction_, &image_, &step_, &scale_}) work->resize(n);
+    for (auto* const work : {&residual_, &direction_, &image_, &step_, &correction_, &scale_}) work->resize(n);
     if (preconditioner_ == Preconditioner::IncompleteCholesky)
     {
         cholesky_.factorise(*matrix_, shift, controls_.dimensions);

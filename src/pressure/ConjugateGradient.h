@@ -9,13 +9,10 @@ namespace mpsDem {
 
 /// Conjugate gradients on the rows themselves, without any allocation once the sizes have been seen.
 ///
-/// Preconditioners: none, diagonal, or incomplete Cholesky without fill, M = (D + L) D^-1 (D + L^T), where L is the lower triangle of A
-/// and the diagonal D makes the row sums of M and A agree up to a factor (modified incomplete factorisation, Gustafsson, BIT 18 (1978) 142;
-/// the blend of Bridson, Fluid Simulation for Computer Graphics, 2nd ed., section 5.3). Because M has A's own triangles, M^-1 A needs two triangular
-/// sweeps and no product with A (Eisenstat, SIAM J. Sci. Stat. Comput. 2 (1981) 1).
-/// Rows should come in geometric order, e.g. by columns of cells; where they are mixed, the elimination follows an order found by
-/// breadth-first search, which needs up to twice the iterations.
-/// In two dimensions the iterations grow with the fourth root of the number of rows.
+/// Preconditioners: none, diagonal, or modified incomplete Cholesky (IncompleteCholesky), M = (D + L) D^-1 (D + L^T). Because M has A's
+/// own triangles, M^-1 A needs two triangular sweeps and no product with A (Eisenstat, SIAM J. Sci. Stat. Comput. 2 (1981) 1).
+/// The iterations grow with N^(1/(2d)) for rows in geometric order, e.g. by columns of cells; where rows are mixed, the elimination
+/// follows an order found by breadth-first search, which needs up to twice the iterations.
 class ConjugateGradient : public LinearSolver
 {
 public:

@@ -8,7 +8,7 @@ namespace mpsDem {
 
 /// Conjugate gradients of Eigen, with its own incomplete Cholesky, diagonal or no preconditioner.
 ///
-/// About three times slower than ConjugateGradient; kept as an independent check of it (`solver EigenPCG;`).
+/// Five to eight times slower than ConjugateGradient; kept as an independent check of it (`solver EigenPCG;`).
 class EigenSolver : public LinearSolver
 {
 public:

@@ -10,7 +10,7 @@ namespace mpsDem {
 
 namespace {
 
-/// A pivot below this share of the diagonal is replaced by the diagonal: it comes from matrices only that are no M-matrices.
+/// A pivot below this share of the diagonal is replaced by the diagonal: the last row of a singular system, or one without later neighbours.
 constexpr Real smallestPivot = 0.02;
 /// Rows without any coupling to a later row, as share of all: above it the rows are eliminated in an order of our own.
 constexpr Real disorderLimit = 0.0015;

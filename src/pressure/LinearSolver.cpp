@@ -13,9 +13,9 @@ namespace mpsDem {
 
 namespace {
 
-/// From so many unknowns on `auto` means algebraic multigrid.
-constexpr int multigridRows2D = 200000;
-constexpr int multigridRows3D = 200000;
+/// From so many unknowns on `auto` means algebraic multigrid (etc/doc/linear-solvers.md).
+constexpr int multigridRows2D = 150000;
+constexpr int multigridRows3D = 1000000;
 
 std::vector<std::string> const solverWords = {"PCG", "EigenPCG", "auto"};
 std::vector<std::string> const preconditionerWords = {"none", "diagonal", "IC", "AMG", "auto"};
@@ -47,7 +47,6 @@ SolverControls readSolverControls(Dictionary const& dictionary)
 
 SolverControls resolveAutomatic(SolverControls const& controls, int rows)
 {
-    // Unknowns from which algebraic multigrid with kept aggregates is the faster one.
     int const multigridFrom = controls.dimensions == 2 ? multigridRows2D : multigridRows3D;
     SolverControls resolved = controls;
     if (resolved.solver == "auto") resolved.solver = "PCG";
@@ -55,7 +54,7 @@ SolverControls resolveAutomatic(SolverControls const& controls, int rows)
     {
         resolved.preconditioner = resolved.solver == "PCG" && rows >= multigridFrom ? "AMG" : "IC";
     }
-    if (resolved.smoother == "auto") resolved.smoother = "Chebyshev";
+    if (resolved.smoother == "auto") resolved.smoother = "symGaussSeidel";
     return resolved;
 }
 

@@ -18,11 +18,11 @@ struct SolverControls
     std::string preconditioner = "auto"; ///< none | diagonal | IC | AMG | auto
     std::string smoother = "auto";       ///< of AMG: symGaussSeidel | Chebyshev | Jacobi | auto
     Real tolerance = 1e-6;               ///< |b - A x| / |b| at which a solve ends.
-    Real relTol = 0;                     ///< A solve also ends when the residual fell to this share of the initial one; 0 switches this off.
-    int maxIter = 500;                   ///< Iterations of one solve; more are a failure.
-    int dimensions = 2;                  ///< 2 or 3: decides with the number of rows what `auto` means.
-    int rebuildInterval = 50;            ///< AMG: solves after which the hierarchy is rebuilt from scratch.
-    Real rebuildRatio = 1.3;             ///< AMG: growth of the iteration count after which it is rebuilt.
+    Real relTol = 0;          ///< A solve also ends when the residual fell to this share of the initial one; 0 switches this off.
+    int maxIter = 500;        ///< Iterations of one solve; more are a failure.
+    int dimensions = 2;       ///< 2 or 3: decides with the number of rows what `auto` means.
+    int rebuildInterval = 50; ///< AMG: solves after which the hierarchy is rebuilt from scratch.
+    Real rebuildRatio = 1.3;  ///< AMG: growth of the iteration count after which it is rebuilt.
 };
 
 /// Reads the controls from the dictionary `p`; unknown words are refused with the known ones.
@@ -60,7 +60,8 @@ public:
     /// Never throws for a bad convergence: see SolveReport::converged; a residual that isn't finite counts as not converged.
     virtual SolveReport solve(std::span<Real const> b, std::span<Real> x, Real tolerance) = 0;
 
-    /// Forgets all that was kept from earlier matrices and adds `shift` times the diagonal to the one that the preconditioner is made of.
+    /// Forgets all that was kept from earlier matrices. @param shift rise of the diagonal that an incomplete factorisation is made of, in
+    /// units of it; solvers without one ignore it.
     virtual void rebuild(Real shift) = 0;
 };
 

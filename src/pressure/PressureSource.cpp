@@ -13,7 +13,7 @@ PressureSource::PressureSource(Dictionary const& dict, SchemeSet set, Real densi
     relaxationTime_ = dict.getInRangeOr("relaxationTime", paper || fixedGamma ? 0 : 0.1, 0, 10);
     gamma_ = dict.getInRangeOr("gamma", 0.01, 0, 1);
     maxGamma_ = dict.getInRangeOr("maxGamma", 0.05, 0, 1);
-    clip_ = dict.getInRangeOr("densityClip", paper ? 0 : 0.02, 0, 1);
+    clip_ = dict.getInRangeOr("densityClip", 0, 0, 1);
     rampSteps_ = static_cast<int>(dict.getInRangeOr("rampSteps", paper ? 0 : 20, 0, 1000));
 }
 

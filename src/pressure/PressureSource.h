@@ -16,7 +16,7 @@ namespace mpsDem {
 /// | relaxationTime | tau; 0: use gamma | s | 0.1, 0 | 0..10 |
 /// | gamma | gamma where relaxationTime is 0 | - | 0.01 | 0..1 |
 /// | maxGamma | upper bound of dt/tau | - | 0.05 | 0..1 |
-/// | densityClip | bound of abs(e); 0: none | - | 0.02, 0 | 0..1 |
+/// | densityClip | bound of abs(e); 0: none. A clip of 0.02 leaves foam above the submarine wedge that never closes | - | 0 | 0..1 |
 /// | rampSteps | gamma grows from 0 over the first steps of a run from rest | - | 20, 0 | 0..1000 |
 class PressureSource
 {

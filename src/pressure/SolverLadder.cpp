@@ -27,7 +27,8 @@ std::string number(Real value)
 } // namespace
 
 SolverFailure::SolverFailure(ExitCode code, int row, std::string const& what, std::string const& allowed)
-    : CaseError(code, what, allowed), row_(row)
+    : CaseError(code, what, allowed),
+      row_(row)
 {}
 
 SolverLadder::SolverLadder(SolverControls const& controls) : controls_(controls), resolved_(controls) {}

@@ -50,7 +50,8 @@ void RunTime::reread(Dictionary const& dict)
                     : control == "clockTime" ? WriteControl::ClockTime
                     : control == "none"      ? WriteControl::None
                                              : WriteControl::Adjustable;
-    stopping_ = stopping_ || stop == "writeNow" || stop == "noWriteNow";
+    stopAsked_ = stop == "writeNow";
+    stopping_ = stopping_ || stop == "noWriteNow";
     stopAtWrite_ = stop == "nextWrite";
 }
 
@@ -73,18 +74,24 @@ Real RunTime::nextWriteTime() const
 Step RunTime::next(Real wanted, bool fixed, Real observed)
 {
     lastDt_ = wanted;
-    Real dt = std::min(wanted, endTime_ - time_);
-    Real target = std::min(observed, endTime_);
+    Real target = observed;
     if (writeControl_ == WriteControl::Adjustable) target = std::min(target, nextWriteTime());
+    // The end counts where it comes first: a run that ends at a write time and is continued later takes the steps of an unbroken one.
+    bool const ends = endTime_ < target - meets * wanted;
+    if (ends) target = endTime_;
+    Real dt = wanted;
     if (!fixed)
     {
         // Equal steps up to the target, as OpenFOAM does it.
         Real const steps = std::max(Real(1), std::ceil((target - time_) / wanted - meets));
         dt = (target - time_) / steps;
     }
+    else if (endTime_ - time_ < (1 - meets) * wanted)
+        dt = endTime_ - time_;
     Step step{number_ + 1, time_ + dt, dt, false};
     // A target that is met is met to the last bit: times do not drift.
-    if (std::abs(step.time - target) < meets * dt) step.time = target;
+    bool const meetsTarget = std::abs(step.time - target) < meets * dt && !(fixed && ends);
+    if (meetsTarget) step.time = target;
     step.write = writesAt(step.number, step.time);
     return step;
 }

@@ -14,7 +14,7 @@ namespace mpsDem {
 /// | key | meaning | default |
 /// | startFrom | firstTime, startTime, latestTime: where the state is taken from | latestTime |
 /// | startTime | [s] | 0 |
-/// | stopAt | endTime; writeNow, noWriteNow, nextWrite end a running case | endTime |
+/// | stopAt | endTime; writeNow (state saved), noWriteNow (at once, nothing saved), nextWrite end a running case | endTime |
 /// | endTime | [s] | none |
 /// | writeControl | timeStep, runTime, adjustable, adjustableRunTime, cpuTime, clockTime, none | adjustableRunTime |
 /// | writeInterval | steps or seconds | endTime - startTime |
@@ -52,6 +52,8 @@ public:
     /// Asks the run to end after this step, its state written (signals, stop file, stopAt).
     void stopNow() { stopping_ = true; }
     [[nodiscard]] bool stopping() const { return stopping_; }
+    /// True where controlDict asks for the state to be saved and the run to end (stopAt writeNow).
+    [[nodiscard]] bool stopAsked() const { return stopAsked_; }
 
     /// A time in the log's form: timePrecision digits.
     [[nodiscard]] std::string format(Real time) const;
@@ -81,7 +83,7 @@ private:
     Real startTime_, endTime_ = 0, writeInterval_ = 0, maxClockTime_ = 0, checkpointInterval_ = 0;
     WriteControl writeControl_ = WriteControl::Adjustable;
     int purgeWrite_, timePrecision_;
-    bool stopping_ = false, stopAtWrite_ = false;
+    bool stopping_ = false, stopAsked_ = false, stopAtWrite_ = false;
     Real time_ = 0, lastDt_ = 0, lastClockWrite_ = 0;
     std::int64_t number_ = 0;
 };

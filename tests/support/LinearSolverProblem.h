@@ -22,7 +22,9 @@ class MovingTank
 {
 public:
     MovingTank(int dimensions, int rows, Real radius, Real jitter = 0.2, std::uint32_t seed = 1)
-        : dimensions_(dimensions), radius_(radius), random_(seed)
+        : dimensions_(dimensions),
+          radius_(radius),
+          random_(seed)
     {
         Real const target = static_cast<Real>(rows);
         width_ = std::max(2, static_cast<int>(std::lround(dimensions == 2 ? std::sqrt(target) : std::cbrt(target))));

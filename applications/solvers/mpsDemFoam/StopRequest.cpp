@@ -37,7 +37,7 @@ void StopRequest::serve(Scene& scene, double clockSeconds)
         scene.writeFields();
         scene.askCheckpoint();
     }
-    if (stopAsked || scene.time().stopping()) scene.askStop();
+    if (stopAsked || scene.time().stopAsked()) scene.askStop();
     scene.serveCheckpoint();
 }
 

@@ -39,7 +39,8 @@ struct Entry
     NodePointer dict;               ///< Null for a plain entry.
     Tokens tokens;
     int line = 0;
-    int includeDepth = 0; ///< Files around the one that states it; a statement further out may replace it.
+    mutable bool taken = false; ///< A macro took its value, or one from below it: it may be a variable of the file.
+    int includeDepth = 0;       ///< Files around the one that states it; a statement further out may replace it.
     std::shared_ptr<std::string const> file;
     DictItems items; ///< Dictionaries of a list, made when they are asked for.
     bool itemsMade = false;

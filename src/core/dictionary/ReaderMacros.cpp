@@ -82,7 +82,11 @@ std::vector<std::string> Reader::visibleNames() const
 Entry const& Reader::macro(std::string const& name, Dictionary::Node::Match match, Location const& where) const
 {
     Entry const* const entry = findMacro(name, match);
-    if (entry) return *entry;
+    if (entry)
+    {
+        entry->taken = true;
+        return *entry;
+    }
     std::string allowed = "macros stand for entries further up in the same file";
     std::string const near = nearestName(name, visibleNames());
     if (!near.empty()) allowed += "   (did you mean $" + near + "?)";

@@ -1,0 +1,201 @@
+#include "support/RunCase.h"
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include "core/Log.h"
+#include "particles/Kernel.h"
+#include "scene/InitialFiles.h"
+#include "scene/InitialState.h"
+
+namespace mpsDem::test {
+
+namespace {
+
+constexpr Real g = 9.81;
+
+std::string text(Real value)
+{
+    std::ostringstream out;
+    out.precision(17);
+    out << value;
+    return out.str();
+}
+
+std::string controlText(Real endTime, Real dt, std::string const& extra)
+{
+    return "endTime " + text(endTime) + "; deltaT " + text(dt) + "; writeControl none; checkpointInterval 0; " + extra;
+}
+
+} // namespace
+
+RunCase::RunCase(Real spacing)
+{
+    muteLog(true);
+    gravity(Vector(0, -g, 0));
+    write("constant/particleProperties", "spacing " + text(spacing) + "; thickness 1;");
+    write("constant/transportProperties", "nu 0; rho 1000;");
+}
+
+RunCase::~RunCase() { muteLog(false); }
+
+RunCase& RunCase::write(std::string const& file, std::string const& content, std::string const& headerClass)
+{
+    std::filesystem::create_directories((root() / file).parent_path());
+    std::ofstream out(root() / file);
+    out << "FoamFile { version 2.0; format ascii; class " << headerClass << "; object o; }\n" << content << '\n';
+    return *this;
+}
+
+RunCase& RunCase::gravity(Vector const& value)
+{
+    return write("constant/g", "value (" + text(value.x()) + " " + text(value.y()) + " 0);", "uniformDimensionedVectorField");
+}
+
+RunCase& RunCase::control(Real endTime, Real dt, std::string const& extra)
+{
+    return write("system/controlDict", controlText(endTime, dt, "maxDeltaT " + text(dt) + "; " + extra));
+}
+
+RunCase& RunCase::fixedSteps(Real endTime, Real dt, std::string const& extra)
+{
+    return write("system/controlDict", controlText(endTime, dt, "adjustTimeStep no; " + extra));
+}
+
+RunCase& RunCase::make(std::function<void(ParticleSet&)> const& change)
+{
+    CaseFolder const folder(root());
+    SceneDefinition const definition = readSceneDefinition(folder, "system/setParticlesDict");
+    InitialScene scene = makeInitialScene(definition);
+    if (change) change(scene.particles);
+    writeInitialFiles(folder, definition, scene, "", inputFingerprint(folder, "system/setParticlesDict"));
+    return *this;
+}
+
+Scene& RunCase::start()
+{
+    if (!scene_) scene_ = std::make_unique<Scene>(CaseFolder(root()), Scene::Options{});
+    return *scene_;
+}
+
+Step RunCase::step()
+{
+    Step const now = scene_->nextStep();
+    scene_->moveBoundaries();
+    scene_->updateNeighbours(now);
+    scene_->label();
+    scene_->predict(now);
+    scene_->solvePressure(now);
+    scene_->loadBodies(now);
+    scene_->advanceBodies(now);
+    scene_->correctFluid(now);
+    scene_->observe(now);
+    scene_->writeIfDue(now);
+    return now;
+}
+
+void RunCase::run(EachStep const& eachStep)
+{
+    start();
+    while (scene_->time().running())
+    {
+        Step const now = step();
+        if (eachStep) eachStep(*scene_, now);
+    }
+}
+
+void Series::add(Real value)
+{
+    ++count_;
+    sum_ += value;
+    squares_ += value * value;
+    least_ = std::min(least_, value);
+    largest_ = std::max(largest_, value);
+}
+
+Real Series::deviation() const
+{
+    return count_ > 0 ? std::sqrt(std::max(Real(0), squares_ / static_cast<Real>(count_) - mean() * mean())) : 0;
+}
+
+Real StillWater::exact(Vector const& r) const { return density_ * g * std::max(Real(0), depth_ - r.y()); }
+
+void StillWater::observe(Scene const& scene, Step const& step)
+{
+    if (step.time <= from_) return;
+    ParticleSet const& particles = scene.particles();
+    density_ = scene.fluid()->fluid().density();
+    Real const scale = density_ * g * depth_;
+    Kernel const w{2.1 * particles.lattice().spacing};
+    Real inFluid = 0, inWall = 0, weight = 0, weighted = 0;
+    int wet = 0;
+    for (int const i : particles.fluid())
+    {
+        Real const error = particles.p[i] - exact(particles.r[i]);
+        inFluid += error * error;
+        Real const weightOf = w((particles.r[i] - sensorAt_).norm());
+        weight += weightOf;
+        weighted += weightOf * particles.p[i];
+    }
+    for (int const i : particles.wall())
+    {
+        if (!particles.wet[i]) continue;
+        Real const error = particles.p[i] - exact(particles.r[i]);
+        inWall += error * error;
+        ++wet;
+    }
+    fluid.add(std::sqrt(inFluid / particles.fluid().size()) / scale);
+    wall.add(std::sqrt(inWall / std::max(1, wet)) / scale);
+    sensor.add(weighted / weight);
+    kineticEnergy.add(test::kineticEnergy(scene) / particles.lattice().thickness);
+}
+
+Real StillWater::sensorBias() const { return sensor.mean() / exact(sensorAt_) - 1; }
+
+Real StillWater::sensorNoise() const { return sensor.deviation() / exact(sensorAt_); }
+
+Real kineticEnergy(Scene const& scene)
+{
+    ParticleSet const& particles = scene.particles();
+    Real sum = 0;
+    for (int const i : particles.fluid()) sum += particles.u[i].squaredNorm();
+    return 0.5 * sum * scene.fluid()->fluid().density() * particles.lattice().particleVolume();
+}
+
+Real potentialEnergy(Scene const& scene)
+{
+    ParticleSet const& particles = scene.particles();
+    Real sum = 0;
+    for (int const i : particles.fluid()) sum += particles.r[i].y();
+    return g * sum * scene.fluid()->fluid().density() * particles.lattice().particleVolume();
+}
+
+void Jump::add(Vector const& value)
+{
+    if (begun_)
+    {
+        squares_ += (value - last_).squaredNorm();
+        ++count_;
+    }
+    begun_ = true;
+    last_ = value;
+}
+
+Real Jump::value() const { return count_ > 0 ? std::sqrt(squares_ / static_cast<Real>(count_)) : 0; }
+
+void expectBelow(std::string const& name, Real value, Real bound)
+{
+    std::printf("%-48s %14.6g  bound %g\n", name.c_str(), value, bound);
+    EXPECT_LE(std::abs(value), bound) << name;
+}
+
+void expectBetween(std::string const& name, Real value, Real low, Real high)
+{
+    std::printf("%-48s %14.6g  bound %g .. %g\n", name.c_str(), value, low, high);
+    EXPECT_GE(value, low) << name;
+    EXPECT_LE(value, high) << name;
+}
+
+} // namespace mpsDem::test

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "scene/Scene.h"
+#include "support/TemporaryFolder.h"
+
+namespace mpsDem::test {
+
+/// A case written from strings into a temporary folder, made by setParticles' library and run within the test by mpsDemFoam's loop.
+///
+/// A new one has gravity (0 -9.81 0), water of 1000 kg/m3 without viscosity, a thickness of 1 m and the standard schemes; spacing,
+/// setParticlesDict and control() are for the test to give. The log is muted.
+class RunCase
+{
+public:
+    explicit RunCase(Real spacing);
+    ~RunCase();
+
+    /// Writes a dictionary, header included; replaces one of the same name.
+    RunCase& write(std::string const& file, std::string const& content, std::string const& headerClass = "dictionary");
+    RunCase& gravity(Vector const& g);
+    /// system/controlDict without output: steps of at most dt [s], shorter where the default limits ask for it; `extra` is appended.
+    RunCase& control(Real endTime, Real dt, std::string const& extra = "");
+    /// The same with every step of length dt.
+    RunCase& fixedSteps(Real endTime, Real dt, std::string const& extra = "");
+
+    /// setParticles. @param change  May alter positions, velocities and pressures of the fluid before they are saved.
+    RunCase& make(std::function<void(ParticleSet&)> const& change = {});
+
+    using EachStep = std::function<void(Scene const&, Step const&)>;
+    /// mpsDemFoam, to the end. @param eachStep  Called after each step.
+    void run(EachStep const& eachStep = {});
+    /// Reads the case as mpsDemFoam does, and takes no step. Called by run() where needed.
+    Scene& start();
+    /// One step of a started run.
+    Step step();
+
+    [[nodiscard]] Scene const& scene() const { return *scene_; }
+    [[nodiscard]] ParticleSet const& particles() const { return scene_->particles(); }
+    [[nodiscard]] RigidBody const& body(std::size_t k = 0) const { return *scene_->bodies().at(k); }
+    [[nodiscard]] std::filesystem::path const& root() const { return folder_.path(); }
+
+private:
+    TemporaryFolder folder_;
+    std::unique_ptr<Scene> scene_;
+};
+
+/// Mean, standard deviation and extremes of a series.
+class Series
+{
+public:
+    void add(Real value);
+    [[nodiscard]] Real mean() const { return count_ > 0 ? sum_ / static_cast<Real>(count_) : 0; }
+    [[nodiscard]] Real deviation() const;
+    [[nodiscard]] Real least() const { return least_; }
+    [[nodiscard]] Real largest() const { return largest_; }
+
+private:
+    long count_ = 0;
+    Real sum_ = 0, squares_ = 0, least_ = 1e300, largest_ = -1e300;
+};
+
+/// Errors of the pressure of still water of depth H above y = 0, against rho g (H - y), as parts of rho g H; gathered in time.
+///
+/// fluid: root mean square over fluid particles; wall: over wet wall particles; sensor: Shepard mean of fluid pressure around a point [Pa];
+/// kineticEnergy per metre of width [J/m].
+class StillWater
+{
+public:
+    StillWater(Real depth, Vector const& sensorAt, Real from) : depth_(depth), sensorAt_(sensorAt), from_(from) {}
+
+    /// Counts the state after a step that ends after `from`.
+    void observe(Scene const& scene, Step const& step);
+
+    Series fluid, wall, sensor, kineticEnergy;
+
+    /// (mean of the sensor - exact) / exact.
+    [[nodiscard]] Real sensorBias() const;
+    /// Standard deviation of the sensor over its exact value.
+    [[nodiscard]] Real sensorNoise() const;
+
+private:
+    [[nodiscard]] Real exact(Vector const& r) const;
+
+    Real depth_;
+    Vector sensorAt_;
+    Real from_;
+    Real density_ = 0;
+};
+
+/// Kinetic energy of the fluid [J].
+Real kineticEnergy(Scene const& scene);
+/// Energy of the fluid against gravity (0 -9.81 0), zero at y = 0 [J].
+Real potentialEnergy(Scene const& scene);
+
+/// A step-to-step measure of noise: root mean square of the change of a vector.
+class Jump
+{
+public:
+    void add(Vector const& value);
+    [[nodiscard]] Real value() const;
+
+private:
+    bool begun_ = false;
+    Vector last_ = Vector::Zero();
+    Real squares_ = 0;
+    long count_ = 0;
+};
+
+/// Prints `name value bound` and expects |value| <= bound.
+void expectBelow(std::string const& name, Real value, Real bound);
+/// Prints the same and expects low <= value <= high.
+void expectBetween(std::string const& name, Real value, Real low, Real high);
+
+} // namespace mpsDem::test
