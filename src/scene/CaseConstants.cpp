@@ -14,6 +14,10 @@ namespace {
 
 Real constexpr largest = 1e30;
 
+/// Effective radii over the spacing where mpsSchemes doesn't give them.
+Real constexpr defaultRadius = 2.1;
+Real constexpr paperLaplacianRadius = 4.01;
+
 } // namespace
 
 CaseFolder::CaseFolder(std::filesystem::path root) : root_(std::move(root))
@@ -74,13 +78,19 @@ Real readFluidDensity(Dictionary const& transportProperties)
     return rho;
 }
 
+Radii readRadii(Dictionary const& mpsSchemes, Real spacing)
+{
+    Dictionary const kernel = mpsSchemes.subDictOrEmpty("kernel");
+    static_cast<void>(kernel.getWordOr("type", "zhang", {"zhang"}, "kernels"));
+    Real const laplacian = readSchemeSet(mpsSchemes) == SchemeSet::Paper ? paperLaplacianRadius : defaultRadius;
+    return {spacing * kernel.getInRangeOr("gradient", defaultRadius, 1.2, 6),
+            spacing * kernel.getInRangeOr("laplacian", laplacian, 1.2, 6)};
+}
+
 Real largestKernelRadius(CaseFolder const& caseFolder)
 {
     auto const schemes = caseFolder.readIfPresent("system/mpsSchemes");
-    if (!schemes) return 2.1;
-    bool const paper = readSchemeSet(*schemes) == SchemeSet::Paper;
-    Dictionary const kernel = schemes->subDictOrEmpty("kernel");
-    return std::max(kernel.getInRangeOr("gradient", 2.1, 1.2, 6), kernel.getInRangeOr("laplacian", paper ? 4.01 : 2.1, 1.2, 6));
+    return schemes ? readRadii(*schemes, 1).largest() : defaultRadius;
 }
 
 Real readStartTime(CaseFolder const& caseFolder)

@@ -7,6 +7,7 @@
 #include "core/Dictionary.h"
 #include "core/Types.h"
 #include "particles/Lattice.h"
+#include "particles/NeighbourList.h"
 
 namespace mpsDem {
 
@@ -45,7 +46,10 @@ Vector readGravity(CaseFolder const& caseFolder);
 /// Density of the fluid [kg/m3], `rho` of constant/transportProperties.
 Real readFluidDensity(Dictionary const& transportProperties);
 
-/// Largest effective radius over the spacing: gradient and laplacian of `kernel` in system/mpsSchemes, with its defaults.
+/// Effective radii [m] of `kernel` in system/mpsSchemes: gradient 2.1, laplacian 2.1 (4.01 in the set `paper`), in spacings.
+Radii readRadii(Dictionary const& mpsSchemes, Real spacing);
+
+/// The largest of them over the spacing; 2.1 where the file is absent.
 Real largestKernelRadius(CaseFolder const& caseFolder);
 
 /// Start time of a new run [s], `startTime` of system/controlDict (default 0), and the name of its folder.

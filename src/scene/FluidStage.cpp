@@ -6,6 +6,7 @@
 #include "boundaries/BoundaryPressure.h"
 #include "core/Log.h"
 #include "core/Timers.h"
+#include "scene/CaseConstants.h"
 
 namespace mpsDem {
 
@@ -13,15 +14,6 @@ namespace {
 
 /// Share of the fluid that may be lost before the run is stopped.
 constexpr Real largestLoss = 1e-3;
-
-Radii readRadii(Dictionary const& schemes, SchemeSet set, Lattice const& lattice)
-{
-    Dictionary const kernel = schemes.subDictOrEmpty("kernel");
-    static_cast<void>(kernel.getWordOr("type", "zhang", {"zhang"}, "kernels"));
-    Real const gradient = kernel.getInRangeOr("gradient", 2.1, 1.2, 6);
-    Real const laplacian = kernel.getInRangeOr("laplacian", set == SchemeSet::Paper ? 4.01 : 2.1, 1.2, 6);
-    return {gradient * lattice.spacing, laplacian * lattice.spacing};
-}
 
 PeriodicImages readImages(Dictionary const& schemes)
 {
@@ -36,7 +28,7 @@ FluidStage::FluidStage(ParticleSet& particles, std::vector<Polyline> const& wall
     : particles_(particles),
       walls_(walls),
       gravity_(setup.gravity),
-      radii_(readRadii(setup.schemes, readSchemeSet(setup.schemes), particles.lattice())),
+      radii_(readRadii(setup.schemes, particles.lattice().spacing)),
       labeller_(BoundaryLabeller::read(setup.schemes.subDictOrEmpty("boundarySchemes"), particles.lattice())),
       neighbours_(radii_, labeller_->needsAllWalls()),
       images_(readImages(setup.schemes)),
@@ -74,6 +66,7 @@ FluidStage::~FluidStage() = default;
 void FluidStage::updateNeighbours(Step const& step)
 {
     Timers::Scope const timer(Timers::stage(neighbourTimer_));
+    checkFinite(particles_.owned(), step); // a grid cannot be built of what is no number
     images_.wrap(particles_);
     if (step.number % sortInterval == 1) sortAndCheck(step);
     images_.rebuild(particles_, radii_.largest());
@@ -126,7 +119,7 @@ void FluidStage::correct(Step const& step)
     {
         Timers::Scope const timer(Timers::stage(gradientTimer_));
         fluid_.correct(particles_, neighbours_, step.dt);
-        checkFinite(step);
+        checkFinite(particles_.fluid(), step);
     }
     if (collisionTimer_ >= 0)
     {
@@ -142,23 +135,22 @@ void FluidStage::correct(Step const& step)
     particles_.dropHalo();
 }
 
-void FluidStage::checkFinite(Step const& step) const
+void FluidStage::checkFinite(Range const& range, Step const& step) const
 {
     Real sum = 0;
-    for (int i : particles_.fluid()) sum += particles_.u[i].squaredNorm() + std::abs(particles_.p[i]);
+    for (int i : range) sum += particles_.r[i].squaredNorm() + particles_.u[i].squaredNorm() + std::abs(particles_.p[i]);
     if (std::isfinite(sum)) return;
-    for (int i : particles_.fluid())
+    char const* const help = "the last checkpoint is whole; a smaller maxCo or maxDeltaT may help";
+    for (int i : range)
     {
-        if (particles_.u[i].allFinite() && std::isfinite(particles_.p[i])) continue;
-        Vector const before = particles_.r[i] - step.dt * particles_.u[i];
+        if (particles_.r[i].allFinite() && particles_.u[i].allFinite() && std::isfinite(particles_.p[i])) continue;
         std::ostringstream text;
-        text << "time " << step.time << " s, step " << step.number << ": velocity or pressure of particle " << particles_.id[i]
-             << " is not a finite number: u = (" << particles_.u[i].transpose() << ") m/s, p = " << particles_.p[i] << " Pa, near ("
-             << before.transpose() << ')';
-        throw CaseError(ExitCode::NotFinite, text.str(), "the last checkpoint is whole; a smaller maxCo or maxDeltaT may help");
+        text << "time " << step.time << " s, step " << step.number << ": position, velocity or pressure of particle " << particles_.id[i]
+             << " is not a finite number: r = (" << particles_.r[i].transpose() << ") m, u = (" << particles_.u[i].transpose()
+             << ") m/s, p = " << particles_.p[i] << " Pa";
+        throw CaseError(ExitCode::NotFinite, text.str(), help);
     }
-    throw CaseError(ExitCode::NotFinite, "time " + std::to_string(step.time) + " s: velocities are too large to be summed",
-                    "the last checkpoint is whole; a smaller maxCo or maxDeltaT may help");
+    throw CaseError(ExitCode::NotFinite, "time " + std::to_string(step.time) + " s: velocities are too large to be summed", help);
 }
 
 bool FluidStage::hasEscaped(int i) const

@@ -61,7 +61,8 @@ public:
 private:
     void sortAndCheck(Step const& step);
     [[nodiscard]] bool hasEscaped(int i) const;
-    void checkFinite(Step const& step) const;
+    /// @throw CaseError NotFinite, naming the first particle of the range whose position, velocity or pressure is no number.
+    void checkFinite(Range const& range, Step const& step) const;
 
     ParticleSet& particles_;
     std::vector<Polyline> const& walls_;

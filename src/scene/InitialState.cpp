@@ -112,7 +112,9 @@ InitialScene makeInitialScene(SceneDefinition const& definition)
     checkPlacement(definition, scene.surfaces, scene.placed);
 
     addWalls(layout, definition, scene.surfaces);
-    for (std::size_t k = 0; k < definition.bodies.size(); ++k) addBody(layout, definition, k, scene.outlines[k].outline);
+    // Particles of a body carry the fluid's pressure to it; without fluid nothing would move them along.
+    std::size_t const wetted = definition.regions.empty() ? 0 : definition.bodies.size();
+    for (std::size_t k = 0; k < wetted; ++k) addBody(layout, definition, k, scene.outlines[k].outline);
 
     SegmentTree const walls(scene.surfaces), bodies(scene.placed);
     scene.fluid = fillRegions(definition.regions, definition.placement, definition.lattice, {walls, bodies});

@@ -85,7 +85,13 @@ void Scene::readStart(State const& start)
     for (Polyline const& surface : surfaces_) surfaceNames_.push_back(surface.name());
     wallOf_ = loadWallOf(start, static_cast<std::size_t>(particles_.boundary().size()), surfaces_.size());
     if (dicts_.bodies) bodies_ = readBodies(*dicts_.bodies, start, dicts_.lattice);
-    for (auto const& body : bodies_) outlines_.push_back(loadOutline(start, body->name()).outline);
+    for (auto const& body : bodies_) SolidStage::requireFinite(*body);
+    for (auto const& body : bodies_)
+    {
+        BodyOutline const outline = loadOutline(start, body->name());
+        outlines_.push_back(outline.outline);
+        discRadii_.push_back(outline.radius);
+    }
 }
 
 void Scene::buildFluid()
@@ -117,7 +123,8 @@ void Scene::buildSolids()
     if (dicts_.contact)
     {
         std::vector<ContactShape> shapes;
-        for (Polyline const& outline : outlines_) shapes.push_back(ContactShape::polygon(outline));
+        for (std::size_t k = 0; k < bodies_.size(); ++k)
+            shapes.push_back(discRadii_[k] > 0 ? ContactShape::disc(discRadii_[k]) : ContactShape::polygon(outlines_[k]));
         contacts =
             std::make_unique<ContactModel>(*dicts_.contact, dicts_.lattice.spacing, dicts_.lattice.thickness, surfaces_, pointers, shapes);
     }

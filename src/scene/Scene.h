@@ -93,6 +93,7 @@ private:
     Field<int> wallOf_;
     std::vector<std::unique_ptr<RigidBody>> bodies_;
     std::vector<Polyline> outlines_;
+    std::vector<Real> discRadii_; ///< 0 for bodies that are no discs [m].
     std::unique_ptr<FluidStage> fluid_;
     std::unique_ptr<SolidStage> solids_;
     std::vector<WettedSurface> fixedSurfaces_; ///< Only where a momentum budget asks for the impulse of the walls.
@@ -101,6 +102,7 @@ private:
     std::unique_ptr<Output> output_;
     Effects effects_;
     SolveReport lastSolve_;
+    mutable Real cumulativeError_ = 0; ///< Of the log.
     bool solved_ = false;
     double particleSteps_ = 0;
     int checkpointTimer_ = -1, observerTimer_ = -1;

@@ -36,8 +36,9 @@ void Scene::logStep(Step const& step, double executionTime, double clockTime) co
             ++count;
         }
         Real const n = std::max(1, count);
-        os << "time step continuity errors : sum local = " << local / n << ", global = " << global / n << ", cumulative = " << global / n
-           << '\n';
+        cumulativeError_ += global / n;
+        os << "time step continuity errors : sum local = " << local / n << ", global = " << global / n
+           << ", cumulative = " << cumulativeError_ << '\n';
     }
     for (auto const& body : bodies_)
     {

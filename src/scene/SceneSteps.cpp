@@ -7,12 +7,6 @@
 
 namespace mpsDem {
 
-namespace {
-
-constexpr char codeVersion[] = "mpsDem-0.1.0";
-
-} // namespace
-
 Step Scene::nextStep()
 {
     Real const bodySpeed = solids_ ? solids_->largestSpeed() : 0;
@@ -108,7 +102,8 @@ State Scene::state() const
     particles_.save(state);
     saveSurfaces(state, surfaces_);
     saveWallOf(state, wallOf_);
-    for (std::size_t k = 0; k < bodies_.size(); ++k) saveOutline(state, bodies_[k]->name(), static_cast<int>(k), {outlines_[k], 0});
+    for (std::size_t k = 0; k < bodies_.size(); ++k)
+        saveOutline(state, bodies_[k]->name(), static_cast<int>(k), {outlines_[k], discRadii_[k]});
     if (fluid_) fluid_->save(state);
     if (solids_) solids_->save(state);
     ledger_.save(state);
@@ -122,7 +117,7 @@ void Scene::writeCheckpointNow()
     CheckpointInfo info;
     info.time = time_->time();
     info.step = time_->stepNumber();
-    info.codeVersion = codeVersion;
+    info.codeVersion = "mpsDem-" MPSDEM_VERSION;
     info.effects = effects_.lines();
     writeCheckpoint(case_.root() / "checkpoint", std::to_string(info.step), state(), info, time_->purgeWrite());
     if (fluid_) fluid_->forget();

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
+#include "core/Errors.h"
 #include "core/Timers.h"
 
 namespace mpsDem {
@@ -31,8 +33,20 @@ SolidStage::SolidStage(std::vector<std::unique_ptr<RigidBody>>& bodies, std::uni
     if (!couplings_.empty()) couplingTimer_ = Timers::add("pressure integration and added mass", "coupling");
 }
 
+void SolidStage::requireFinite(RigidBody const& body)
+{
+    bool const finite = body.centre().allFinite() && body.rotation().allFinite() && body.velocity().allFinite() &&
+                        body.angularVelocity().allFinite() && body.acceleration().allFinite() && body.angularAcceleration().allFinite();
+    if (finite) return;
+    std::ostringstream text;
+    text << "place or motion of body " << body.name() << " is not a finite number: centre (" << body.centre().transpose()
+         << ") m, velocity (" << body.velocity().transpose() << ") m/s, acceleration (" << body.acceleration().transpose() << ") m/s2";
+    throw CaseError(ExitCode::NotFinite, text.str(), "the last checkpoint is whole; a smaller maxCo or maxDeltaT may help");
+}
+
 void SolidStage::moveParticles(ParticleSet& particles)
 {
+    for (auto const& body : bodies_) requireFinite(*body);
     for (FluidBodyCoupling& coupling : couplings_) coupling.moveParticles(particles);
 }
 
@@ -69,6 +83,7 @@ void SolidStage::advance(Step const& step)
     for (RigidBody* body : pointers_)
     {
         body->endStep(step.dt);
+        requireFinite(*body);
         *gravityImpulse_ += step.dt * body->gravityLoad().force;
         *contactImpulse_ += step.dt * (body->meanContactNormal().force + body->meanContactTangential().force + body->meanRestraint().force +
                                        body->meanReaction().force);

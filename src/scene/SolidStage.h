@@ -17,6 +17,9 @@ public:
     SolidStage(std::vector<std::unique_ptr<RigidBody>>& bodies, std::unique_ptr<ContactModel> contacts,
                std::vector<FluidBodyCoupling> couplings, Vector const& gravity, Ledger& ledger);
 
+    /// @throw CaseError NotFinite for a body whose place or motion is no number.
+    static void requireFinite(RigidBody const& body);
+
     /// Before the fluid's neighbours: boundary particles follow their bodies.
     void moveParticles(ParticleSet& particles);
     /// u* of the boundary particles.

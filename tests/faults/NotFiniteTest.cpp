@@ -67,7 +67,7 @@ TEST(NotFinite, OneNumberOfTheStateStopsTheRunWithinAStep)
         {"body/slide/centre", 0, nan, {"body slide"}},
         {"body/slide/motion", 1, nan, {"body slide"}},
         {"body/slide/orientation", 0, nan, {"body slide"}},
-        {"body/slide/fluidLoad", 0, infinity, {"body slide"}},
+        {"body/slide/motion", 6, infinity, {"body slide"}},
     };
     int caught = 0;
     for (Poke const& poke : pokes)
@@ -84,7 +84,7 @@ TEST(NotFinite, OneNumberOfTheStateStopsTheRunWithinAStep)
         EXPECT_EQ(testCase.checkpoints(), sample().checkpoints()) << what;
         auto after = testCase.results();
         for (auto const& [name, content] : before)
-            if (name.starts_with("checkpoint/")) EXPECT_TRUE(after[name] == content) << what << ": " << name << " was changed";
+            EXPECT_TRUE(!name.starts_with("checkpoint/") || after[name] == content) << what << ": " << name << " was changed";
         caught += result.exitCode == 6;
     }
     std::printf("%-48s %14.6g  bound %g\n", "pokes that end with exit code 6", static_cast<double>(caught),
@@ -95,8 +95,9 @@ TEST(NotFinite, SpeedThatCannotBeSummedStopsTheRun)
 {
     WedgeCase const testCase;
     testCase.copyFrom(sample());
-    std::size_t const particles =
-        readCheckpoint(testCase.root() / "checkpoint" / std::to_string(testCase.checkpoints().back())).state.reals("particles/pressure").size();
+    std::size_t const particles = readCheckpoint(testCase.root() / "checkpoint" / std::to_string(testCase.checkpoints().back()))
+                                      .state.reals("particles/pressure")
+                                      .size();
     pokeCheckpoint(testCase, {"particles/velocity", 3 * (particles - 20), 1e200, {}});
     ProgramResult const result = testCase.run();
     EXPECT_TRUE(result.exitCode == 6 || result.exitCode == 7) << result.exitCode << ", signal " << result.signal << '\n' << result.error;

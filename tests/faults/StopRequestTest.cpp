@@ -17,8 +17,9 @@ using namespace mpsDem::test;
 int constexpr done = 0, stopped = 3, locked = 4;
 
 /// Lets a run of the case reach its 20th step, asks it to stop, and compares what a restart gives with a run that nobody stopped.
-void expectStopsAndGoesOn(std::string const& what, std::function<void(WedgeCase const&, RunningProgram const&)> const& ask,
-                          std::function<void(WedgeCase const&)> const& undo = [](WedgeCase const&) {})
+void expectStopsAndGoesOn(
+    std::string const& what, std::function<void(WedgeCase const&, RunningProgram const&)> const& ask,
+    std::function<void(WedgeCase const&)> const& undo = [](WedgeCase const&) {})
 {
     static WedgeCase const unbroken;
     if (unbroken.checkpoints().empty())
@@ -50,8 +51,9 @@ TEST(StopRequest, SignalsSaveAndStop)
 
 TEST(StopRequest, StopFileSavesAndStopsAndIsRemoved)
 {
-    expectStopsAndGoesOn("stop file", [](WedgeCase const& c, RunningProgram const&) { std::ofstream(c.root() / "stop"); },
-                         [](WedgeCase const& c) { EXPECT_FALSE(std::filesystem::exists(c.root() / "stop")); });
+    expectStopsAndGoesOn(
+        "stop file", [](WedgeCase const& c, RunningProgram const&) { std::ofstream(c.root() / "stop"); },
+        [](WedgeCase const& c) { EXPECT_FALSE(std::filesystem::exists(c.root() / "stop")); });
 }
 
 TEST(StopRequest, StopAtOfAnEditedControlDictSavesAndStops)

@@ -36,13 +36,14 @@ std::string const controlDict = "startTime 0;\n"
                                 "writeInterval 0.05;\n"
                                 "purgeWrite 0;\n";
 
-std::string const functions = "functions\n"
-                              "{\n"
-                              "    slide { type sixDoFRigidBodyState; writeControl runTime; writeInterval 0.005; }\n"
-                              "    gauges { type interfaceHeight; locations ((1.2 0 0) (1.6 0 0)); writeControl runTime; writeInterval 0.01; }\n"
-                              "    energy { type energyBudget; writeControl runTime; writeInterval 0.01; }\n"
-                              "    momentum { type momentumBudget; writeControl runTime; writeInterval 0.01; }\n"
-                              "}\n";
+std::string const functions =
+    "functions\n"
+    "{\n"
+    "    slide { type sixDoFRigidBodyState; writeControl runTime; writeInterval 0.005; }\n"
+    "    gauges { type interfaceHeight; locations ((1.2 0 0) (1.6 0 0)); writeControl runTime; writeInterval 0.01; }\n"
+    "    energy { type energyBudget; writeControl runTime; writeInterval 0.01; }\n"
+    "    momentum { type momentumBudget; writeControl runTime; writeInterval 0.01; }\n"
+    "}\n";
 
 } // namespace
 

@@ -14,8 +14,8 @@ namespace mpsDem::test {
 /// How a program ended and what it said.
 struct ProgramResult
 {
-    int exitCode = -1;       ///< -1 where a signal ended it.
-    int signal = 0;          ///< That signal, or 0.
+    int exitCode = -1;         ///< -1 where a signal ended it.
+    int signal = 0;            ///< That signal, or 0.
     std::string output, error; ///< Of standard output and standard error.
 };
 
@@ -85,7 +85,7 @@ private:
 };
 
 /// A dry one: no fluid, the wedge slides in air on the ramp, is no longer stopped by a latch and hits the floor with its edge at about
-/// 0.13 s.
+/// 0.23 s.
 class DryWedgeCase : public WedgeCase
 {
 public:

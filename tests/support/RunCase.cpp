@@ -172,6 +172,16 @@ Real potentialEnergy(Scene const& scene)
     return g * sum * scene.fluid()->fluid().density() * particles.lattice().particleVolume();
 }
 
+void Watch::observe(Scene const& scene, Step const&)
+{
+    Real energy = kineticEnergy(scene) + potentialEnergy(scene);
+    for (auto const& body : scene.bodies()) energy += body->kineticEnergy() + body->mass() * g * body->centre().y();
+    if (start == 0) start = energy;
+    lowest_ = std::min(lowest_, energy);
+    rise = std::max(rise, energy - lowest_);
+    for (int const i : scene.particles().fluid()) fastest = std::max(fastest, scene.particles().u[i].norm());
+}
+
 void Jump::add(Vector const& value)
 {
     if (begun_)

@@ -100,6 +100,20 @@ Real kineticEnergy(Scene const& scene);
 /// Energy of the fluid against gravity (0 -9.81 0), zero at y = 0 [J].
 Real potentialEnergy(Scene const& scene);
 
+/// What must stay in bounds however violent a flow is: energy of fluid and bodies (kinetic, potential above y = 0), and speed of the fluid.
+class Watch
+{
+public:
+    void observe(Scene const& scene, Step const& step);
+
+    Real start = 0;   ///< Energy after the first step [J].
+    Real fastest = 0; ///< Largest speed of a fluid particle [m/s].
+    Real rise = 0;    ///< Largest rise of the energy above its lowest value before [J].
+
+private:
+    Real lowest_ = 1e300;
+};
+
 /// A step-to-step measure of noise: root mean square of the change of a vector.
 class Jump
 {

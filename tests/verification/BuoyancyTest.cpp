@@ -50,10 +50,7 @@ Rise rise(Real density)
 
 } // namespace
 
-TEST(Buoyancy, liftsAFixedBox)
-{
-    expectBelow("fixed box, 8 spacings wide: lift, relative error", lift(0.03) / archimedes - 1, 0.015);
-}
+TEST(Buoyancy, liftsAFixedBox) { expectBelow("fixed box, 8 spacings wide: lift, relative error", lift(0.03) / archimedes - 1, 0.015); }
 
 TEST(Buoyancy, convergesForAFixedBox)
 {

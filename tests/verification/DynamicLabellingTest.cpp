@@ -17,8 +17,9 @@ RunCase& heldWedge(RunCase& run, std::string const& schemes = "")
 {
     run.write("system/setParticlesDict", "geometry { bed { type polyline; points ((-0.6 1.6 0) (1 0 0) (2.2 0 0) (2.2 1.6 0)); } }\n"
                                          "regions ( boxToParticle { box (-0.6 0 0) (2.2 1 0); } );\nhydrostatic { surface 1; }");
-    run.write("constant/rigidBodyProperties", "bodies { slide { shape { type polygon; points ((0.01 0.99 0) (0.51 0.49 0) (0.51 0.99 0)); }\n"
-                                              "density 2036; releaseTime 1000; } }");
+    run.write("constant/rigidBodyProperties",
+              "bodies { slide { shape { type polygon; points ((0.01 0.99 0) (0.51 0.49 0) (0.51 0.99 0)); }\n"
+              "density 2036; releaseTime 1000; } }");
     run.write("system/mpsSchemes", schemes);
     return run.fixedSteps(1.5, 2e-3).make();
 }

@@ -11,9 +11,8 @@ namespace {
 
 RunCase& ramp(RunCase& run)
 {
-    return run.write("system/setParticlesDict",
-                     "geometry { bed { type polyline; points ((-0.6 1.6 0) (1 0 0) (2.2 0 0) (2.2 1.6 0)); } }\n"
-                     "regions ( boxToParticle { box (-0.6 0 0) (2.2 1 0); } );\n");
+    return run.write("system/setParticlesDict", "geometry { bed { type polyline; points ((-0.6 1.6 0) (1 0 0) (2.2 0 0) (2.2 1.6 0)); } }\n"
+                                                "regions ( boxToParticle { box (-0.6 0 0) (2.2 1 0); } );\n");
 }
 
 StillWater still(Real spacing, Real dt, Real endTime)

@@ -12,11 +12,10 @@ constexpr Real spacing = 0.02;
 
 RunCase& tank(RunCase& run, Real jitter = 0)
 {
-    return run.write("system/setParticlesDict",
-                     "geometry { tank { type polyline; points ((0 1.1 0) (0 0 0) (0.4 0 0) (0.4 1.1 0)); } }\n"
-                     "regions ( boxToParticle { box (0 0 0) (0.4 0.5 0); } );\n"
-                     "lattice { jitter " +
-                         std::to_string(jitter) + "; }");
+    return run.write("system/setParticlesDict", "geometry { tank { type polyline; points ((0 1.1 0) (0 0 0) (0.4 0 0) (0.4 1.1 0)); } }\n"
+                                                "regions ( boxToParticle { box (0 0 0) (0.4 0.5 0); } );\n"
+                                                "lattice { jitter " +
+                                                    std::to_string(jitter) + "; }");
 }
 
 StillWater gauge(Real from) { return StillWater(depth, Vector(0.5 * width, 0.1 * depth, 0), from); }

@@ -19,13 +19,15 @@ void writeWedge(RunCase& run, std::string const& motion, Real length)
                                              "regions ( boxToParticle { box (-0.6 0 0) (" +
                                              end + " 1 0); } );\nhydrostatic { surface 1; }");
     run.write("constant/rigidBodyProperties",
-              "bodies { slide { shape { type polygon; points ((0.01 0.99 0) (0.51 0.49 0) (0.51 0.99 0)); } density 2036; " + motion + " } }");
+              "bodies { slide { shape { type polygon; points ((0.01 0.99 0) (0.51 0.49 0) (0.51 0.99 0)); } density 2036; " + motion +
+                  " } }");
 }
 
 void writeContact(RunCase& run)
 {
-    run.write("constant/contactProperties", "mu 0.0104724; e 0.2;\n"
-                                            "stoppers { foot { type latch; body slide; point (1 0 0); normal (-0.70710678 0.70710678 0); } }");
+    run.write("constant/contactProperties",
+              "mu 0.0104724; e 0.2;\n"
+              "stoppers { foot { type latch; body slide; point (1 0 0); normal (-0.70710678 0.70710678 0); } }");
 }
 
 /// Path of the wedge: fall of its centre at t = 0.1, 0.2, .. 0.9 s, when it stopped, and the noise of its force.

@@ -1,0 +1,180 @@
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "support/ProgramRun.h"
+
+/// A wrong case is refused by the program with exit code 2; the message names file and line, and nothing is written.
+
+namespace {
+
+using namespace mpsDem::test;
+
+/// One edit of the small wedge case.
+struct Fault
+{
+    std::string file, before, after; ///< `before` empty: `after` is the whole content; both empty: the file is missing.
+    int line;                        ///< Named in the message, counted from the header; 0: the file alone.
+    std::string said;                ///< A piece of the message.
+};
+
+std::string const control = "system/controlDict", schemes = "system/mpsSchemes", solution = "system/mpsSolution",
+                  particles = "constant/particleProperties", transport = "constant/transportProperties", gravity = "constant/g",
+                  bodies = "constant/rigidBodyProperties", contact = "constant/contactProperties";
+
+std::string const keep = "schemeSet standard;";
+std::string const p = "tolerance 1e-6;";
+
+std::vector<Fault> const faults{
+    // Files that every case has.
+    {control, "", "", 0, "controlDict"},
+    {particles, "", "", 0, "missing"},
+    // Dictionaries that cannot be read.
+    {control, "endTime 0.3;", "endTime 0.3", 3, ""},
+    {control, "endTime 0.3;", "endTime {", 3, ""},
+    {control, "endTime 0.3;", "endTime 0.3; }", 3, ""},
+    {control, "endTime 0.3;", "endTime 0.3; endTime 0.4;", 3, "endTime"},
+    {schemes, keep, "schemeSet \"standard;", 2, ""},
+    {schemes, keep, "kernel { type zhang;", 2, ""},
+    {solution, p, "tolerance (1e-6;", 2, ""},
+    {contact, "mu 0.01;", "mu 0.01; }", 2, ""},
+    {transport, "nu 1e-6;", "nu 1e-6; /*", 2, ""},
+    {bodies, "mass 140;", "mass 140; #calc", 4, ""},
+    {particles, "spacing 0.05;", "#include \"/etc/passwd\"", 2, ""},
+    // Words that nobody knows.
+    {control, "endTime 0.3;", "endTime 0.3; endTim 1;", 3, "endTim"},
+    {control, "endTime 0.3;", "endTime 0.3; writeControl sometimes;", 3, "sometimes"},
+    {control, "endTime 0.3;", "endTime 0.3; startFrom latesTime;", 3, "did you mean latestTime?"},
+    {control, "endTime 0.3;", "endTime 0.3; stopAt never;", 3, "never"},
+    {control, "adjustTimeStep yes;", "adjustTimeStep maybe;", 5, "maybe"},
+    {control, "type interfaceHeight;", "type interfaceHeigth;", 13, "did you mean interfaceHeight?"},
+    {control, "locations ((1.2 0 0) (1.6 0 0));", "location ((1.2 0 0));", 13, "locations"},
+    {control, "type energyBudget;", "type energyBudget; colour red;", 14, "colour"},
+    {control, "type sixDoFRigidBodyState;", "type sixDoFRigidBodyState; bodies (slid);", 12, "slid"},
+    {control, "type sixDoFRigidBodyState;", "type coded;", 12, "coded"},
+    {control, "type momentumBudget; writeControl runTime;", "type momentumBudget; writeControl runtime;", 15, "did you mean runTime?"},
+    {control, "endTime 0.3;", "endTime 0.3; libs (\"libFoo.so\");", 3, "libs"},
+    {schemes, keep, "schemeSet standart;", 2, "did you mean standard?"},
+    {schemes, keep, "kernell { }", 2, "did you mean kernel?"},
+    {schemes, keep, "kernel { type wendland; }", 2, "wendland"},
+    {schemes, keep, "kernel { radius 2.1; }", 2, "radius"},
+    {schemes, keep, "gradSchemes { grad(p) central; }", 2, "central"},
+    {schemes, keep, "sourceSchemes { type mixt; }", 2, "did you mean mixed?"},
+    {schemes, keep, "freeSurfaceSchemes { type cones; }", 2, "did you mean cone?"},
+    {schemes, keep, "shiftingSchemes { type fick; }", 2, "fick"},
+    {schemes, keep, "collisionSchemes { type pair; }", 2, "pair"},
+    {schemes, keep, "viscositySchemes { type exlicit; }", 2, "did you mean explicit?"},
+    {schemes, keep, "boundarySchemes { labelling dynamik; }", 2, "did you mean dynamic?"},
+    {schemes, keep, "limiters { negativePressure clip; }", 2, "clip"},
+    {solution, "solver auto;", "solver GAMG;", 2, "GAMG"},
+    {solution, "solver auto;", "solver auto; preconditioner DIC;", 2, "DIC"},
+    {solution, p, p + " toleranc 1;", 2, "toleranc"},
+    {solution, "type strong;", "type stron;", 3, "did you mean strong?"},
+    {solution, "contactFace dry;", "contactFace wet;", 3, "wet"},
+    {contact, "e 0.2;", "e 0.2; law hertz;", 3, "hertz"},
+    {contact, "e 0.2;", "e 0.2; restitution 0.2;", 3, "restitution"},
+    {contact, "e 0.2;", "e 0.2; stiffness soft;", 3, "soft"},
+    {contact, "e 0.2;", "e 0.2; pairs { \"slide:bedd\" { mu 0.1; } }", 3, "bedd"},
+    {contact, "type latch;", "type latsch;", 4, "latch"},
+    {contact, "body slide;", "body slied;", 4, "slied"},
+    {transport, "nu 1e-6;", "transportModel Bingham; nu 1e-6;", 2, "Bingham"},
+    {transport, "nu 1e-6;", "nu 1e-6; rhoo 1;", 2, "rhoo"},
+    {bodies, "mass 140;", "mass 140; colour red;", 4, "colour"},
+    {bodies, "mass 140;", "mass 140; constraints { a { sixDoFRigidBodyMotionConstraint lin; } }", 4, "lin"},
+    {bodies, "mass 140;", "mass 140; restraints { a { sixDoFRigidBodyMotionRestraint spring; } }", 4, "spring"},
+    // Wrong dimensions.
+    {transport, "nu 1e-6;", "nu [1 -3 0 0 0 0 0] 1e-6;", 2, "nu"},
+    {transport, "rho 1000;", "rho [0 2 -1 0 0 0 0] 1000;", 3, "rho"},
+    {gravity, "[0 1 -2 0 0 0 0]", "[0 1 -1 0 0 0 0]", 2, ""},
+    // Numbers out of range, not finite or no numbers.
+    {control, "endTime 0.3;", "endTime -1;", 3, "endTime"},
+    {control, "endTime 0.3;", "endTime nan;", 3, "nan"},
+    {control, "endTime 0.3;", "", 0, "endTime"},
+    {control, "startTime 0;", "startTime 0.5;", 3, "endTime lies before startTime"},
+    {control, "deltaT 0.001;", "deltaT -0.001;", 4, "deltaT"},
+    {control, "deltaT 0.001;", "deltaT 0;", 4, "deltaT"},
+    {control, "maxCo 0.25;", "maxCo -1;", 6, "maxCo"},
+    {control, "maxDeltaT 0.002;", "maxDeltaT 0;", 7, "maxDeltaT"},
+    {control, "writeInterval 0.05;", "writeInterval -0.05;", 8, "writeInterval"},
+    {control, "purgeWrite 0;", "purgeWrite -1;", 9, "purgeWrite"},
+    {particles, "spacing 0.05;", "spacing -0.05;", 2, "spacing"},
+    {particles, "spacing 0.05;", "spacing 1e400;", 2, ""},
+    {particles, "thickness 0.5;", "thickness 0;", 3, "thickness"},
+    {particles, "thickness 0.5;", "dimensions 3;", 3, "dimensions"},
+    {transport, "rho 1000;", "rho -1000;", 3, "rho"},
+    {transport, "rho 1000;", "rho nan;", 3, "nan"},
+    {transport, "nu 1e-6;", "nu -1e-6;", 2, "nu"},
+    {gravity, "(0 -9.81 0)", "(0 nan 0)", 3, "nan"},
+    {contact, "mu 0.01;", "mu -0.01;", 2, "mu"},
+    {contact, "mu 0.01;", "", 0, "mu"},
+    {contact, "e 0.2;", "e 1.2;", 3, "e"},
+    {contact, "normal (-1 1 0)", "normal (0 0 0)", 4, "normal"},
+    {bodies, "mass 140;", "mass -140;", 4, "mass"},
+    {bodies, "mass 140;", "mass 140; density 2000;", 4, "density"},
+    {schemes, keep, "kernel { gradient 0.5; }", 2, "gradient"},
+    {schemes, keep, "collisionSchemes { restitution 2; }", 2, "restitution"},
+    {solution, p, "tolerance 0;", 2, "tolerance"},
+    {solution, p, "tolerance 1e-6; maxIter -5;", 2, "maxIter"},
+};
+
+TEST(BadCase, EachFaultIsRefusedWithItsPlaceAndNothingIsWritten)
+{
+    WedgeCase const good;
+    good.makeParticles();
+    int refused = 0, number = 0;
+    for (Fault const& fault : faults)
+    {
+        std::string const what = "fault " + std::to_string(number++) + ": " + fault.file + ", " + fault.before + " -> " + fault.after;
+        WedgeCase const testCase;
+        testCase.copyFrom(good);
+        if (fault.before.empty())
+            testCase.remove(fault.file);
+        else
+            testCase.replace(fault.file, fault.before, fault.after);
+        auto const before = testCase.results();
+        ProgramResult const result = testCase.run({"-dry-run"});
+        EXPECT_EQ(result.exitCode, 2) << what << ", signal " << result.signal << '\n' << result.error;
+        EXPECT_NE(result.error.find(fault.file), std::string::npos) << what << '\n' << result.error;
+        EXPECT_NE(result.error.find(fault.said), std::string::npos) << what << '\n' << result.error;
+        std::string const place = "at line " + std::to_string(fault.line) + ".";
+        EXPECT_TRUE(fault.line == 0 || result.error.find(place) != std::string::npos) << what << ", " << place << '\n' << result.error;
+        EXPECT_TRUE(testCase.results() == before) << what << ": something was written";
+        refused += result.exitCode == 2;
+    }
+    EXPECT_GE(faults.size(), 60u);
+    std::printf("%-48s %14.6g  bound %g\n", "wrong cases refused", static_cast<double>(refused), static_cast<double>(faults.size()));
+}
+
+TEST(BadCase, WithoutAnInitialStateSetParticlesIsNamed)
+{
+    WedgeCase const testCase;
+    ProgramResult const result = testCase.run();
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_NE(result.error.find("run setParticles first"), std::string::npos) << result.error;
+    EXPECT_TRUE(testCase.results().empty());
+}
+
+TEST(BadCase, ANewBodyDoesNotFitAnOldState)
+{
+    WedgeCase const testCase;
+    testCase.makeParticles();
+    testCase.replace("constant/rigidBodyProperties", "slide {", "slider {");
+    ProgramResult const result = testCase.run();
+    EXPECT_TRUE(result.exitCode == 2 || result.exitCode == 5) << result.exitCode << ", signal " << result.signal;
+    EXPECT_FALSE(result.error.empty());
+}
+
+TEST(BadCase, AFolderWithoutACaseIsRefused)
+{
+    mpsDem::TemporaryFolder const empty;
+    for (std::string const name : {"setParticles", "mpsDemFoam"})
+    {
+        EXPECT_EQ(runProgram(name, empty.path()).exitCode, 2) << name;
+        EXPECT_EQ(runProgram(name, empty / "missing").exitCode, 2) << name;
+        EXPECT_TRUE(std::filesystem::is_empty(empty.path())) << name;
+    }
+}
+
+} // namespace

@@ -1,0 +1,69 @@
+// Hard cases of the fluid: large steps, a disordered start, clusters in flight, no free surface. Each must stay in bounds to its end.
+
+#include <cmath>
+
+#include "support/RunCase.h"
+
+namespace mpsDem::test {
+
+namespace {
+
+/// Ends with nothing lost, no particle faster than 3 sqrt(2 g H), no energy from nowhere.
+void expectInBounds(std::string const& name, RunCase const& run, Watch const& watch, Real height)
+{
+    expectBelow(name + ": largest speed over sqrt(2 g H)", watch.fastest / std::sqrt(2 * 9.81 * height), 3);
+    expectBelow(name + ": rise of energy over that of the start", watch.rise / watch.start, 0.02);
+    expectBelow(name + ": particles lost", static_cast<Real>(run.scene().fluid()->escaped()), 0);
+}
+
+void damBreak(std::string const& name, std::string const& control, Real dt, Real jitter)
+{
+    RunCase run(0.02);
+    run.write("system/setParticlesDict", "geometry { tank { type polyline; points ((0 1.2 0) (0 0 0) (1.6 0 0) (1.6 1.2 0)); } }\n"
+                                         "regions ( boxToParticle { box (0 0 0) (0.6 0.3 0); } );\nlattice { jitter " +
+                                             std::to_string(jitter) + "; }");
+    run.control(1.5, dt, control).make();
+    Watch watch;
+    run.run([&](Scene const& scene, Step const& step) { watch.observe(scene, step); });
+    expectInBounds(name, run, watch, 0.3);
+}
+
+} // namespace
+
+// H10: the limits of the step twice and four times as wide as by default.
+TEST(ViolentFlow, standsStepsTwiceAsLong) { damBreak("dam break, dt x 2", "maxCo 0.5; maxPressureCo 0.5;", 4e-3, 0); }
+TEST(ViolentFlow, standsStepsFourTimesAsLong) { damBreak("dam break, dt x 4", "maxCo 1; maxPressureCo 1;", 8e-3, 0); }
+
+// H17
+TEST(ViolentFlow, startsFromDisorder) { damBreak("dam break, jitter 0.3", "", 2e-3, 0.3); }
+
+// H7: single particles, a pair and a disc fly above the tank and fall into it. They have no row of eq 8, or a group of their own.
+TEST(ViolentFlow, clustersFlyAndFallBack)
+{
+    RunCase run(0.02);
+    run.write("system/setParticlesDict",
+              "geometry { tank { type polyline; points ((0 1.2 0) (0 0 0) (1 0 0) (1 1.2 0)); } }\n"
+              "regions ( boxToParticle { box (0 0 0) (1 0.2 0); }\n"
+              " boxToParticle { box (0.2 0.5 0) (0.22 0.52 0); fieldValues ( volVectorFieldValue U (0.5 1 0) ); }\n"
+              " boxToParticle { box (0.5 0.5 0) (0.54 0.52 0); fieldValues ( volVectorFieldValue U (0 1 0) ); }\n"
+              " sphereToParticle { origin (0.75 0.6 0); radius 0.08; fieldValues ( volVectorFieldValue U (-0.5 0 0) ); } );");
+    run.control(1, 2e-3).make();
+    Watch watch;
+    run.run([&](Scene const& scene, Step const& step) { watch.observe(scene, step); });
+    expectInBounds("clusters in flight", run, watch, 0.6);
+}
+
+// H13: full of water, disordered at the start, and shaken by nothing but its own noise.
+TEST(ViolentFlow, fullBoxComesToRest)
+{
+    RunCase run(0.025);
+    run.write("system/setParticlesDict", "geometry { box { type searchableBox; min (0 0 0); max (0.5 0.5 0); } }\n"
+                                         "regions ( boxToParticle { box (0 0 0) (0.5 0.5 0); } );\nlattice { jitter 0.3; }");
+    run.control(2, 2e-3).make();
+    Watch watch;
+    run.run([&](Scene const& scene, Step const& step) { watch.observe(scene, step); });
+    expectBelow("full box, jitter 0.3: kinetic energy at 2 s [J]", kineticEnergy(run.scene()), 0.1);
+    expectBelow("full box, jitter 0.3: largest speed [m/s]", watch.fastest, 2);
+}
+
+} // namespace mpsDem::test
