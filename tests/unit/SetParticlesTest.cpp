@@ -225,7 +225,7 @@ TEST(SetParticles, StartTimeNamesTheFolder)
 
 TEST(SetParticles, SpecimensOfTheDictionariesAreValid)
 {
-    std::filesystem::path const folder = std::filesystem::path(MPSDEM_SOURCE_ETC) / "caseDicts";
+    std::filesystem::path const folder = std::filesystem::path(MPSDEM_ETC) / "caseDicts";
     auto const read = [&](char const* name) {
         auto const dict = Dictionary::fromFile(folder / name, folder);
         dict.requireHeader();
