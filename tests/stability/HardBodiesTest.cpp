@@ -1,6 +1,7 @@
 // Hard cases of bodies: at rest on a slope, hitting an end stop, nearly as light as water or lighter, pinned between walls.
 
 #include <cmath>
+#include <numbers>
 
 #include "support/RunCase.h"
 
@@ -47,7 +48,7 @@ TEST(HardBodies, restsOnASlope)
     RunCase run(0.05);
     std::filesystem::remove(run.root() / "constant/transportProperties");
     run.write("system/setParticlesDict", "geometry { slope { type polyline; points ((0 0.352654 0) (2 0 0)); } }");
-    Real const c = std::cos(10 * M_PI / 180), s = std::sin(10 * M_PI / 180);
+    Real const c = std::cos(10 * std::numbers::pi / 180), s = std::sin(10 * std::numbers::pi / 180);
     auto const corner = [&](Real along, Real up) {
         return "(" + std::to_string(0.5 + along * c + up * s) + " " + std::to_string(0.352654 - 0.5 * s / c - along * s + up * c) + " 0)";
     };
