@@ -1,5 +1,6 @@
 #include "fluid/Viscosity.h"
 
+#include <algorithm>
 #include <limits>
 
 #include <Eigen/IterativeLinearSolvers>
@@ -12,6 +13,29 @@ namespace {
 /// Largest nu dt/dx^2 of the explicit form.
 constexpr Real explicitLimit = 0.125;
 
+/// Distance of fluid particle i from the surface of the walls beside it [m], from the wall rows half a spacing behind it; at least a
+/// quarter of a spacing, infinity without walls.
+Real wallDistance(ParticleSet const& particles, NeighbourList const& neighbours, int i)
+{
+    Real const spacing = particles.lattice().spacing;
+    Real distance = std::numeric_limits<Real>::infinity();
+    for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
+    {
+        int const j = neighbours.index()[k];
+        if (particles.type[j] != ParticleType::Wall) continue;
+        distance = std::min(distance, (particles.r[i] - particles.r[j]).dot(particles.normal[j]) - 0.5 * spacing);
+    }
+    return std::max(distance, 0.25 * spacing);
+}
+
+/// Factor on (u_wall - u_i) for a no-slip boundary particle j: its velocity is that of the wall mirrored through the surface,
+/// u_j = u_wall - (u_i - u_wall) d_j / d_i, so that the water is at rest on the surface and not half a spacing behind it.
+Real mirrorFactor(ParticleSet const& particles, Real wallDistanceOfI, int i, int j)
+{
+    Real const apart = (particles.r[i] - particles.r[j]).dot(particles.normal[j]);
+    return std::max(Real(1), apart / wallDistanceOfI);
+}
+
 class Explicit final : public Viscosity
 {
 public:
@@ -23,11 +47,14 @@ public:
         Real const* const w = neighbours.laplacianWeight();
         for (int i : particles.fluid())
         {
+            Real const distance = noSlip_ ? wallDistance(particles, neighbours, i) : 0;
             Vector sum = Vector::Zero();
             for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
             {
                 int const j = neighbours.index()[k];
-                if (noSlip_ || particles.isFluid(j)) sum += w[k] * (particles.u[j] - particles.u[i]);
+                bool const fluid = particles.isFluid(j);
+                if (!fluid && !noSlip_) continue;
+                sum += w[k] * (fluid ? 1 : mirrorFactor(particles, distance, i, j)) * (particles.u[j] - particles.u[i]);
             }
             particles.uStar[i] += factor * sum;
         }
@@ -69,6 +96,7 @@ private:
         entries_.clear();
         for (int i : particles.fluid())
         {
+            Real const distance = noSlip_ ? wallDistance(particles, neighbours, i) : 0;
             Real diagonal = 1;
             Vector right = particles.uStar[i];
             for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
@@ -76,11 +104,12 @@ private:
                 int const j = neighbours.index()[k];
                 bool const fluid = particles.isFluid(j);
                 if (!fluid && !noSlip_) continue;
-                diagonal += factor * w[k];
+                Real const a = factor * w[k] * (fluid ? 1 : mirrorFactor(particles, distance, i, j));
+                diagonal += a;
                 if (fluid && particles.fluid().contains(j))
-                    entries_.emplace_back(i - first, j - first, -factor * w[k]);
+                    entries_.emplace_back(i - first, j - first, -a);
                 else
-                    right += factor * w[k] * particles.u[j];
+                    right += a * particles.u[j];
             }
             entries_.emplace_back(i - first, i - first, diagonal);
             right_.row(i - first) = right.transpose();

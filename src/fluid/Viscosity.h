@@ -13,7 +13,7 @@ namespace mpsDem {
 ///
 /// | key | meaning | default |
 /// | type | none, explicit, implicit, or auto: implicit where nu dt/dx^2 may exceed 1/8 with the largest time step | auto |
-/// | walls | slip: wall and ghost particles take no part; noSlip: they do, with their own velocity | slip |
+/// | walls | slip: wall and ghost particles take no part; noSlip: they do, with the wall's velocity on its surface | slip |
 /// | tolerance | implicit: residual relative to the right side | 1e-8 |
 class Viscosity
 {
