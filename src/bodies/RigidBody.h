@@ -49,6 +49,7 @@ public:
     Load contactNormal;     ///< Normal part of eq 11 of this sub-step.
     Load contactTangential; ///< Eq 12 of this sub-step.
 
+    /// Acceleration by gravity [m/s2]; zero until set.
     void setGravity(Vector const& g) { gravity_ = g; }
     [[nodiscard]] Load gravityLoad() const { return {mass_.mass * gravity_, Vector::Zero()}; }
 
@@ -91,6 +92,7 @@ public:
     /// What constraints, release time, latch or prescribed motion had to add so that the body moved as it did.
     [[nodiscard]] Load const& meanReaction() const { return meanReaction_; }
 
+    /// m V^2/2 + omega . I omega/2 [J].
     [[nodiscard]] Real kineticEnergy() const;
 
     /// Number of free directions of translation and rotation (6 at most; 3 in 2-D; 0 when locked or under prescribed motion).

@@ -24,6 +24,7 @@ namespace mpsDem {
 class BoundaryLabeller
 {
 public:
+    /// The labeller that `boundarySchemes` asks for. @throw CaseError BadInput for an unknown word or a radius out of its range.
     static std::unique_ptr<BoundaryLabeller> read(Dictionary const& boundarySchemes, Lattice const& lattice);
 
     virtual ~BoundaryLabeller() = default;

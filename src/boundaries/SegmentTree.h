@@ -15,6 +15,7 @@ namespace mpsDem {
 class SegmentTree
 {
 public:
+    /// A segment and where it comes from.
     struct Item
     {
         Polyline::Segment segment;
@@ -22,6 +23,7 @@ public:
         int number; ///< Number of the segment in it.
     };
 
+    /// The nearest place on the polylines.
     struct Nearest
     {
         Vector point = Vector::Zero(); ///< On the polylines [m].
@@ -30,6 +32,7 @@ public:
     };
 
     SegmentTree() = default;
+    /// Sorts the segments of all chains into the tree; it keeps copies.
     explicit SegmentTree(std::span<Polyline const> chains);
 
     [[nodiscard]] bool empty() const { return items_.empty(); }

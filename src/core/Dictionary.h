@@ -40,7 +40,9 @@ public:
     /// Refuses a file whose FoamFile header is missing or names another class than `dictionary` (or the one given).
     void requireHeader(std::string const& expectedClass = "dictionary") const;
 
+    /// Whether there is an entry for the keyword, exact or by a pattern; records the keyword as known.
     [[nodiscard]] bool found(std::string const& key) const;
+    /// Whether the entry is a dictionary; false where it is absent.
     [[nodiscard]] bool isDict(std::string const& key) const;
 
     template <class T>

@@ -10,8 +10,10 @@ void Ledger::save(State& state) const
 
 void Ledger::load(State const& state)
 {
-    for (auto& [name, value] : energies_) value = state.real("ledger/" + name);
-    for (auto& [name, value] : impulses_) value = state.vector("ledger/" + name);
+    for (auto& [name, value] : energies_)
+        if (state.has("ledger/" + name)) value = state.real("ledger/" + name);
+    for (auto& [name, value] : impulses_)
+        if (state.has("ledger/" + name)) value = state.vector("ledger/" + name);
 }
 
 } // namespace mpsDem

@@ -24,7 +24,8 @@ public:
     [[nodiscard]] std::map<std::string, Vector> const& impulses() const { return impulses_; }
 
     void save(State& state) const;
-    void load(State const& state); ///< Loads the entries that exist now; one that the state lacks is an error.
+    /// Loads the entries that exist now; one that the state lacks stays as it is: its effect or its budget came with the restart.
+    void load(State const& state);
 
 private:
     std::map<std::string, Real> energies_;

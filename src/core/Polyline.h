@@ -13,6 +13,7 @@ namespace mpsDem {
 class Polyline
 {
 public:
+    /// One straight piece of the chain.
     struct Segment
     {
         Vector a;       ///< First point [m].

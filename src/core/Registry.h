@@ -25,8 +25,10 @@ public:
     /// @param plural  Several, e.g. "contact laws".
     Registry(std::string kind, std::string plural) : kind_(std::move(kind)), plural_(std::move(plural)) {}
 
+    /// Adds a model, or replaces the one of the same name.
     void add(std::string const& name, Maker maker) { makers_[name] = std::move(maker); }
 
+    /// Names of all models, in alphabetical order.
     [[nodiscard]] std::vector<std::string> names() const
     {
         std::vector<std::string> all;

@@ -22,14 +22,17 @@ public:
     using Integers = std::vector<std::int64_t>;
     using Block = std::variant<Reals, Integers>;
 
+    /// Writes the block `name`, in place of one of that name: vectors as three numbers each, single values as blocks of one.
     void set(std::string const& name, std::span<Real const> values) { blocks_[name] = Reals(values.begin(), values.end()); }
     void set(std::string const& name, std::span<std::int64_t const> values) { blocks_[name] = Integers(values.begin(), values.end()); }
     void set(std::string const& name, std::span<Vector const> values);
     void set(std::string const& name, Vector const& value) { set(name, std::span<Vector const>(&value, 1)); }
     void set(std::string const& name, Real value) { set(name, std::span<Real const>(&value, 1)); }
     void set(std::string const& name, std::int64_t value) { set(name, std::span<std::int64_t const>(&value, 1)); }
+    /// Takes a block as it is.
     void setBlock(std::string const& name, Block block) { blocks_[name] = std::move(block); }
 
+    /// Whether there is a block `name`.
     [[nodiscard]] bool has(std::string const& name) const { return blocks_.count(name) != 0; }
 
     /// @throw CaseError (InputOutput) for a missing block or one of another kind or length.

@@ -11,6 +11,7 @@ namespace mpsDem {
 class Timers
 {
 public:
+    /// Cost of one stage so far.
     struct Stage
     {
         std::string name;   ///< e.g. "pressure: solve".

@@ -1,11 +1,27 @@
 #include "coupling/FluidBodyCoupling.h"
 
+#include <algorithm>
+#include <sstream>
+
+#include <Eigen/Eigenvalues>
+
+#include "core/Log.h"
+
 namespace mpsDem {
+
+namespace {
+
+/// Largest ratio of added mass to mass at which weak coupling is silent, and at which it is allowed.
+constexpr Real quietRatio = 0.5;
+constexpr Real largestRatio = 0.8;
+
+} // namespace
 
 FluidBodyCoupling::Controls FluidBodyCoupling::readControls(Dictionary const& dict, Lattice const& lattice, bool positiveOnly)
 {
     std::string const type = dict.getWordOr("type", "auto", {"weak", "strong", "lagged", "auto"}, "couplings");
     Controls controls;
+    controls.where = dict.where("type");
     controls.mode = type == "strong" ? Mode::Strong : type == "lagged" ? Mode::Lagged : Mode::Weak;
     controls.automatic = type == "auto";
     controls.weakAbove = dict.getInRangeOr("weakAbove", 2, 0, 1e6);
@@ -37,7 +53,7 @@ FluidBodyCoupling::FluidBodyCoupling(RigidBody& body, int number, Polyline const
     Real const volume = outline.area() * particles.lattice().thickness;
     if (controls.automatic) mode_ = body.mass() / volume >= controls.weakAbove * density ? Mode::Weak : Mode::Strong;
     for (int k : {0, 1, 2, 3, 4, 5})
-        if (mode_ != Mode::Weak && body.freeProjection().col(k).norm() > 0) direction_.push_back(k);
+        if (body.freeProjection().col(k).norm() > 0) direction_.push_back(k);
     response_.resize(direction_.size());
 }
 
@@ -94,12 +110,59 @@ void FluidBodyCoupling::findAddedMass(ParticleSet const& particles, NeighbourLis
     }
 }
 
+Real FluidBodyCoupling::addedMassRatio() const
+{
+    Matrix6 const projection = body_.freeProjection();
+    Matrix6 const added = projection * (addedMass_ + addedMass_.transpose()) * projection / 2;
+    return Eigen::GeneralizedSelfAdjointEigenSolver<Matrix6>(added, body_.massMatrix(), Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+}
+
+Load FluidBodyCoupling::integrate(ParticleSet const& particles, NeighbourList const& neighbours)
+{
+    surface_.interpolate(
+        particles, neighbours.grid(), particles.p, gravity_, density_, [&](Vector const& r) { return body_.accelerationAt(r); },
+        controls_.integration);
+    return surface_.integrate(body_.centre());
+}
+
+void FluidBodyCoupling::checkWeak(ParticleSet const& particles, NeighbourList const& neighbours, Real time,
+                                  PressureResponse const& response)
+{
+    auto const wet = std::count(surface_.wet().begin(), surface_.wet().end(), 1);
+    if (direction_.empty() || body_.locked() || wet <= 2 * checkedWet_) return;
+    checkedWet_ = wet;
+    findAddedMass(particles, neighbours, response);
+    Real const ratio = addedMassRatio();
+    std::ostringstream text;
+    text << "coupling of body \"" << body_.name() << "\": the added mass is " << ratio << " of its mass (time " << time << " s), ";
+    if (controls_.automatic)
+    {
+        if (ratio <= quietRatio) return;
+        mode_ = Mode::Strong;
+        info() << text.str() << "so type auto is strong from now on" << std::endl;
+        return;
+    }
+    if (ratio > largestRatio)
+    {
+        text << "and weak coupling is unstable from 1 at any time step";
+        throw CaseError(ExitCode::BadInput, controls_.where, text.str(), "type strong or auto; weak up to a ratio of 0.8");
+    }
+    text << "weak coupling is unstable from 1 and refused above 0.8; type strong or auto is safe";
+    if (ratio > quietRatio) warn(text.str());
+}
+
 void FluidBodyCoupling::load(ParticleSet const& particles, NeighbourList const& neighbours, Step const& step,
                              PressureResponse const& response)
 {
     assumed_ = assumedAcceleration();
-    bool const renew =
+    bool renew =
         mode_ == Mode::Strong || (mode_ == Mode::Lagged && step.number % controls_.addedMassInterval == 1 % controls_.addedMassInterval);
+    if (mode_ == Mode::Weak)
+    {
+        static_cast<void>(integrate(particles, neighbours)); // which points are wet
+        checkWeak(particles, neighbours, step.begin(), response);
+        renew = false; // found just now where the mode has become strong
+    }
     if (mode_ != Mode::Weak && !body_.still(step.begin()))
     {
         if (renew || addedMass_.isZero()) findAddedMass(particles, neighbours, response);
@@ -107,10 +170,7 @@ void FluidBodyCoupling::load(ParticleSet const& particles, NeighbourList const& 
     }
     else
         body_.setAddedMass(Matrix6::Zero(), Vector6::Zero());
-    surface_.interpolate(
-        particles, neighbours.grid(), particles.p, gravity_, density_, [&](Vector const& r) { return body_.accelerationAt(r); },
-        controls_.integration);
-    body_.fluid = surface_.integrate(body_.centre());
+    body_.fluid = integrate(particles, neighbours);
 }
 
 void FluidBodyCoupling::correct(ParticleSet& particles)
@@ -132,6 +192,8 @@ void FluidBodyCoupling::save(State& state) const
     state.set(prefix + "local", std::span<Vector const>(local_));
     state.set(prefix + "localNormal", std::span<Vector const>(localNormal_));
     state.set(prefix + "addedMass", std::span<Real const>(addedMass_.data(), 36));
+    state.set(prefix + "checkedWet", checkedWet_);
+    state.set(prefix + "strong", std::int64_t(mode_ == Mode::Strong));
 }
 
 void FluidBodyCoupling::load(State const& state)
@@ -141,6 +203,8 @@ void FluidBodyCoupling::load(State const& state)
     local_ = state.vectors(prefix + "local");
     localNormal_ = state.vectors(prefix + "localNormal");
     addedMass_ = Eigen::Map<Matrix6 const>(state.reals(prefix + "addedMass").data());
+    checkedWet_ = state.integer(prefix + "checkedWet");
+    if (controls_.automatic && state.integer(prefix + "strong") != 0) mode_ = Mode::Strong;
 }
 
 } // namespace mpsDem

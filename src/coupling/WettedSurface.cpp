@@ -15,6 +15,10 @@ constexpr Real inFront = 0.1;
 constexpr Real likeNormal = 0.5;
 /// A dry point with another solid within this distance in front, in spacings, lies on a contact face.
 constexpr Real contactReach = 1.5;
+/// A wall particle of another solid that faces a point within this distance covers it, in spacings, unless fluid is between: this much
+/// nearer to the surface than that wall particle.
+constexpr Real coverReach = 1.5;
+constexpr Real between = 0.25;
 
 } // namespace
 
@@ -109,6 +113,28 @@ void WettedSurface::fillContactFaces(ParticleSet const& particles, CellGrid cons
             pressure_[q] = (1 - share) * pressure_[rim] + share * pressure_[s];
         }
         rim = s;
+    }
+}
+
+void WettedSurface::dryContactFaces(ParticleSet const& particles, CellGrid const& grid)
+{
+    for (std::size_t s = 0; s < position_.size(); ++s)
+    {
+        Real const reach = coverReach * lattice_.spacing;
+        Real cover = 2 * reach, lowestFluid = 2 * reach;
+        grid.forEachWithin(position_[s], reach, [&](int j, Vector const& rsj, Real) {
+            Real const off = rsj.dot(normal_[s]);
+            if (particles.isFluid(j))
+            {
+                if (off > inFront * lattice_.spacing) lowestFluid = std::min(lowestFluid, off);
+            }
+            else if (particles.type[j] == ParticleType::Wall && particles.body[j] != body_ &&
+                     particles.normal[j].dot(normal_[s]) <= -likeNormal)
+                cover = std::min(cover, std::abs(off));
+        });
+        if (cover > reach || lowestFluid < cover - between * lattice_.spacing) continue;
+        wet_[s] = 0;
+        pressure_[s] = 0;
     }
 }
 

@@ -51,6 +51,10 @@ public:
         if (controls.porePressure) fillContactFaces(particles, grid);
     }
 
+    /// No pressure where another solid lies on the surface and no fluid between: the water beyond its thin edge is within reach of such
+    /// a point, but does not press on it.
+    void dryContactFaces(ParticleSet const& particles, CellGrid const& grid);
+
     /// Eqs 15-16: F = -sum p n dA, M = -sum (r - centre) x (p n dA) [N], [N m].
     [[nodiscard]] Load integrate(Vector const& centre) const;
 

@@ -5,11 +5,14 @@
 
 namespace mpsDem {
 
-ContactLawRegistry contactLaws()
+ContactLawRegistry& contactLaws()
 {
-    ContactLawRegistry registry("contact law", "contact laws");
-    registry.add("linearSpringDashpot", [](ContactMaterial const& m) { return std::make_unique<LinearSpringDashpot>(m); });
-    registry.add("hertzMindlin", [](ContactMaterial const& m) { return std::make_unique<HertzMindlin>(m); });
+    static ContactLawRegistry registry = [] {
+        ContactLawRegistry all("contact law", "contact laws");
+        all.add("linearSpringDashpot", [](ContactMaterial const& m) { return std::make_unique<LinearSpringDashpot>(m); });
+        all.add("hertzMindlin", [](ContactMaterial const& m) { return std::make_unique<HertzMindlin>(m); });
+        return all;
+    }();
     return registry;
 }
 

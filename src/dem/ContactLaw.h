@@ -42,7 +42,7 @@ public:
 
 using ContactLawRegistry = Registry<ContactLaw, ContactMaterial const&>;
 
-/// The registry with all laws of this library: linearSpringDashpot (default), hertzMindlin.
-ContactLawRegistry contactLaws();
+/// All laws that contactProperties may name: linearSpringDashpot (default), hertzMindlin, and what others add before a case is read.
+ContactLawRegistry& contactLaws();
 
 } // namespace mpsDem

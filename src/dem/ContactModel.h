@@ -48,6 +48,7 @@ public:
     /// @throw CaseError (Solver) for an overlap above 0.3 dx.
     void addTo(std::span<RigidBody* const> bodies, Real h);
 
+    /// Touching points of all pairs in the last sub-step.
     [[nodiscard]] std::size_t contactCount() const;
     [[nodiscard]] Real maxOverlap() const;    ///< Of the last sub-step [m].
     [[nodiscard]] Real elasticEnergy() const; ///< In all springs [J].

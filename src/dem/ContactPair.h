@@ -25,6 +25,7 @@ struct BodyContactSums
 class ContactPair
 {
 public:
+    /// What a pair consists of.
     struct Parts
     {
         std::string name;                              ///< "slide:ramp"; unique.
@@ -41,6 +42,7 @@ public:
     [[nodiscard]] std::string const& name() const { return parts_.name; }
     [[nodiscard]] Parts const& parts() const { return parts_; }
     [[nodiscard]] std::vector<Contact> const& contacts() const { return contacts_; }
+    /// Largest overlap of the last sub-step [m], 0 without contact, and energy in its springs [J].
     [[nodiscard]] Real maxOverlap() const;
     [[nodiscard]] Real elasticEnergy() const;
 

@@ -24,6 +24,7 @@ namespace mpsDem {
 class Collision
 {
 public:
+    /// The model that `collisionSchemes` asks for; null for `none`. @throw CaseError BadInput
     static std::unique_ptr<Collision> read(Dictionary const& collisionSchemes, SchemeSet set, Lattice const& lattice, Real density,
                                            Ledger& ledger);
 

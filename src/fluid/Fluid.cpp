@@ -15,7 +15,8 @@ Fluid::Fluid(Dictionary const& schemes, SchemeSet set, Lattice const& lattice, R
       freeSurface_(FreeSurface::read(schemes.subDictOrEmpty("freeSurfaceSchemes"), set, lattice)),
       viscosity_(Viscosity::read(schemes.subDictOrEmpty("viscositySchemes"), lattice, nu, largestDt)),
       collision_(Collision::read(schemes.subDictOrEmpty("collisionSchemes"), set, lattice, density, ledger)),
-      shifting_(Shifting::read(schemes.subDictOrEmpty("shiftingSchemes"), set, lattice))
+      shifting_(Shifting::read(schemes.subDictOrEmpty("shiftingSchemes"), set, lattice)),
+      surfaceDamping_(SurfaceDamping::read(schemes.subDictOrEmpty("freeSurfaceSchemes"), set, lattice, radii.gradient, gravity.norm()))
 {
     Dictionary const limiters = schemes.subDictOrEmpty("limiters");
     displacementLimit_ = lattice.spacing * limiters.getInRangeOr("displacement", set == SchemeSet::Paper ? 0 : 0.1, 0, 1);
@@ -25,10 +26,11 @@ Fluid::Fluid(Dictionary const& schemes, SchemeSet set, Lattice const& lattice, R
                                              : NegativePressure::Keep;
 }
 
-void Fluid::predict(ParticleSet& particles, NeighbourList const& neighbours, Real dt)
+void Fluid::predict(ParticleSet& particles, NeighbourList const& neighbours, PeriodicImages const& images, Real dt)
 {
     for (int i : particles.fluid()) particles.uStar[i] = particles.u[i] + dt * gravity_;
-    if (viscosity_) viscosity_->addTo(particles, neighbours, laplacianConstants_, dt);
+    if (surfaceDamping_) surfaceDamping_->addTo(particles, neighbours, dt);
+    if (viscosity_) viscosity_->addTo(particles, neighbours, images, laplacianConstants_, dt);
 }
 
 void Fluid::clampPressure(ParticleSet& particles, NeighbourList const& neighbours) const
@@ -71,11 +73,6 @@ void Fluid::correct(ParticleSet& particles, NeighbourList const& neighbours, Rea
 void Fluid::collide(ParticleSet& particles, NeighbourList const& neighbours, Real dt)
 {
     if (collision_) collision_->apply(particles, neighbours, dt);
-}
-
-void Fluid::shift(ParticleSet& particles, NeighbourList const& neighbours)
-{
-    if (shifting_) shifting_->apply(particles, neighbours);
 }
 
 } // namespace mpsDem

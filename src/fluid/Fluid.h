@@ -6,6 +6,7 @@
 #include "fluid/Collision.h"
 #include "fluid/FreeSurface.h"
 #include "fluid/Shifting.h"
+#include "fluid/SurfaceDamping.h"
 #include "fluid/Viscosity.h"
 #include "particles/Gradient.h"
 
@@ -37,13 +38,14 @@ public:
     [[nodiscard]] FreeSurface const& freeSurface() const { return *freeSurface_; }
     [[nodiscard]] Viscosity const* viscosity() const { return viscosity_.get(); }
     [[nodiscard]] Collision const* collision() const { return collision_.get(); }
-    [[nodiscard]] Shifting const* shifting() const { return shifting_.get(); }
+    [[nodiscard]] Shifting* shifting() const { return shifting_.get(); }
+    [[nodiscard]] SurfaceDamping const* surfaceDamping() const { return surfaceDamping_.get(); }
     [[nodiscard]] NegativePressure negativePressure() const { return negativePressure_; }
     [[nodiscard]] Real density() const { return density_; }
     [[nodiscard]] Real nu() const { return nu_; }
 
     /// Eq 2 without the pressure: u* = u + dt (g + nu <lap u>). @pre uStar of boundary particles is theirs.
-    void predict(ParticleSet& particles, NeighbourList const& neighbours, Real dt);
+    void predict(ParticleSet& particles, NeighbourList const& neighbours, PeriodicImages const& images, Real dt);
 
     /// Treats negative pressures.
     void clampPressure(ParticleSet& particles, NeighbourList const& neighbours) const;
@@ -51,9 +53,8 @@ public:
     /// Eq 4 and the rest of eq 2: u = u* - dt <grad p>/rho, r = r + dt u (symplectic).
     void correct(ParticleSet& particles, NeighbourList const& neighbours, Real dt);
 
-    /// Particle collision, then shifting, where the case has them.
+    /// Particle collision, where the case has it.
     void collide(ParticleSet& particles, NeighbourList const& neighbours, Real dt);
-    void shift(ParticleSet& particles, NeighbourList const& neighbours);
 
     /// Times that the displacement limit was needed, since the start of this run and in the last step.
     [[nodiscard]] std::int64_t limited() const { return limited_; }
@@ -68,6 +69,7 @@ private:
     std::unique_ptr<Viscosity> viscosity_;
     std::unique_ptr<Collision> collision_;
     std::unique_ptr<Shifting> shifting_;
+    std::unique_ptr<SurfaceDamping> surfaceDamping_;
     Real displacementLimit_; ///< [m]; 0: none.
     NegativePressure negativePressure_;
     std::int64_t limited_ = 0;

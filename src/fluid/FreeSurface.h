@@ -27,6 +27,7 @@ namespace mpsDem {
 class FreeSurface
 {
 public:
+    /// The test that `freeSurfaceSchemes` asks for, its defaults from the set. @throw CaseError BadInput
     static std::unique_ptr<FreeSurface> read(Dictionary const& freeSurfaceSchemes, SchemeSet set, Lattice const& lattice);
 
     virtual ~FreeSurface() = default;

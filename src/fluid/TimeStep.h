@@ -20,6 +20,7 @@ class TimeStep
 public:
     TimeStep(Dictionary const& controlDict, Lattice const& lattice);
 
+    /// adjustTimeStep; the longest step allowed [s]; the first step [s].
     [[nodiscard]] bool adjustable() const { return adjustable_; }
     [[nodiscard]] Real largest() const { return adjustable_ ? maxDeltaT_ : deltaT_; }
     [[nodiscard]] Real first() const { return deltaT_; }
@@ -34,6 +35,7 @@ public:
     {
         Real mean = 0, max = 0;
     };
+    /// Over the fluid, for a step dt [s].
     [[nodiscard]] Courant courant(ParticleSet const& particles, Real dt) const;
 
 private:

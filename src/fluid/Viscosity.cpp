@@ -12,6 +12,8 @@ namespace {
 
 /// Largest nu dt/dx^2 of the explicit form.
 constexpr Real explicitLimit = 0.125;
+/// Determinant of the second moment, over that of the lattice, below which it isn't inverted.
+constexpr Real smallestDeterminant = 0.1;
 
 /// Distance of fluid particle i from the surface of the walls beside it [m], from the wall rows half a spacing behind it; at least a
 /// quarter of a spacing, infinity without walls.
@@ -36,15 +38,68 @@ Real mirrorFactor(ParticleSet const& particles, Real wallDistanceOfI, int i, int
     return std::max(Real(1), apart / wallDistanceOfI);
 }
 
+/// Of each fluid particle, halo included: its second moment of w over that of the lattice, inverted. Identity on the lattice, and where the
+/// moment has no inverse.
+template <int d>
+void inverseMoments(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images,
+                    ReferenceConstants const& laplacian, Field<Tensor>& inverse)
+{
+    Real const lattice = laplacian.n0 * laplacian.lambda / d;
+    inverse.assign(particles.r.size(), Tensor::Identity());
+    for (int i : particles.fluid())
+    {
+        Eigen::Matrix<Real, d, d> moment = Eigen::Matrix<Real, d, d>::Zero();
+        for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
+        {
+            auto const rij = (particles.r[neighbours.index()[k]] - particles.r[i]).template head<d>().eval();
+            moment += neighbours.laplacianWeight()[k] / lattice * rij * rij.transpose();
+        }
+        if (moment.determinant() > smallestDeterminant) inverse[i].template topLeftCorner<d, d>() = moment.inverse();
+    }
+    images.update(inverse, particles.halo());
+}
+
+/// What a pair takes of eq 6's factor in a disordered cloud.
+class Moments
+{
+public:
+    void update(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images,
+                ReferenceConstants const& laplacian)
+    {
+        if (particles.lattice().dimensions == 2)
+            inverseMoments<2>(particles, neighbours, images, laplacian, inverse_);
+        else
+            inverseMoments<3>(particles, neighbours, images, laplacian, inverse_);
+    }
+
+    /// Mean of both particles' shares; that of i where j is no fluid.
+    [[nodiscard]] Real share(ParticleSet const& particles, int i, int j) const
+    {
+        Vector const rij = particles.r[j] - particles.r[i];
+        Real const own = along(inverse_[i], rij);
+        return particles.isFluid(j) ? 0.5 * (own + along(inverse_[j], rij)) : own;
+    }
+
+private:
+    static Real along(Tensor const& inverse, Vector const& rij)
+    {
+        return std::min(Real(1), rij.dot(inverse * rij) / (rij.squaredNorm() + tiny));
+    }
+
+    Field<Tensor> inverse_;
+};
+
 class Explicit final : public Viscosity
 {
 public:
     Explicit(Lattice const& lattice, Real nu, bool noSlip) : spacing_(lattice.spacing), nu_(nu), noSlip_(noSlip) {}
 
-    void addTo(ParticleSet& particles, NeighbourList const& neighbours, ReferenceConstants const& laplacian, Real dt) override
+    void addTo(ParticleSet& particles, NeighbourList const& neighbours, PeriodicImages const& images, ReferenceConstants const& laplacian,
+               Real dt) override
     {
         Real const factor = dt * nu_ * laplacian.laplacianFactor(particles.lattice().dimensions);
         Real const* const w = neighbours.laplacianWeight();
+        moments_.update(particles, neighbours, images, laplacian);
         for (int i : particles.fluid())
         {
             Real const distance = noSlip_ ? wallDistance(particles, neighbours, i) : 0;
@@ -54,7 +109,8 @@ public:
                 int const j = neighbours.index()[k];
                 bool const fluid = particles.isFluid(j);
                 if (!fluid && !noSlip_) continue;
-                sum += w[k] * (fluid ? 1 : mirrorFactor(particles, distance, i, j)) * (particles.u[j] - particles.u[i]);
+                Real const pair = moments_.share(particles, i, j) * (fluid ? 1 : mirrorFactor(particles, distance, i, j));
+                sum += w[k] * pair * (particles.u[j] - particles.u[i]);
             }
             particles.uStar[i] += factor * sum;
         }
@@ -66,6 +122,7 @@ public:
 private:
     Real spacing_, nu_;
     bool noSlip_;
+    Moments moments_;
 };
 
 /// (1 - dt nu lap) u* = u + dt g, one system for all components, conjugate gradients of Eigen.
@@ -74,8 +131,10 @@ class Implicit final : public Viscosity
 public:
     Implicit(Real nu, bool noSlip, Real tolerance) : nu_(nu), noSlip_(noSlip) { solver_.setTolerance(tolerance); }
 
-    void addTo(ParticleSet& particles, NeighbourList const& neighbours, ReferenceConstants const& laplacian, Real dt) override
+    void addTo(ParticleSet& particles, NeighbourList const& neighbours, PeriodicImages const& images, ReferenceConstants const& laplacian,
+               Real dt) override
     {
+        moments_.update(particles, neighbours, images, laplacian);
         assemble(particles, neighbours, dt * nu_ * laplacian.laplacianFactor(particles.lattice().dimensions));
         solver_.compute(matrix_);
         Eigen::MatrixXd const solution = solver_.solveWithGuess(right_, guess_);
@@ -104,7 +163,8 @@ private:
                 int const j = neighbours.index()[k];
                 bool const fluid = particles.isFluid(j);
                 if (!fluid && !noSlip_) continue;
-                Real const a = factor * w[k] * (fluid ? 1 : mirrorFactor(particles, distance, i, j));
+                Real const pair = moments_.share(particles, i, j) * (fluid ? 1 : mirrorFactor(particles, distance, i, j));
+                Real const a = factor * w[k] * pair;
                 diagonal += a;
                 if (fluid && particles.fluid().contains(j))
                     entries_.emplace_back(i - first, j - first, -a);
@@ -121,6 +181,7 @@ private:
 
     Real nu_;
     bool noSlip_;
+    Moments moments_;
     std::vector<Eigen::Triplet<Real>> entries_;
     Eigen::SparseMatrix<Real> matrix_;
     Eigen::MatrixXd right_, guess_;

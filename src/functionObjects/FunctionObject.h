@@ -49,8 +49,8 @@ public:
 
 using FunctionObjectRegistry = Registry<FunctionObject, std::string const&, Dictionary const&, RunContext const&>;
 
-/// Every function object of this library, by the names of `type`.
-FunctionObjectRegistry const& functionObjectRegistry();
+/// Every function object by the names of `type`: those of this library, and what others add before a case is read.
+FunctionObjectRegistry& functionObjectRegistry();
 
 /// The `functions` of a case with their time controls.
 class FunctionObjects
@@ -60,6 +60,7 @@ public:
     FunctionObjects(Dictionary const& functions, RunContext const& context);
     ~FunctionObjects();
 
+    /// True where no object is enabled.
     [[nodiscard]] bool empty() const;
     /// Executes and writes those that are due at the end of this step.
     void execute(Step const& step);

@@ -1,3 +1,4 @@
+#include "functionObjects/ClosedVoids.h"
 #include "functionObjects/EnergyBudget.h"
 #include "functionObjects/FieldMinMax.h"
 #include "functionObjects/Forces.h"
@@ -25,10 +26,11 @@ void add(FunctionObjectRegistry& all, std::string const& type)
 
 } // namespace
 
-FunctionObjectRegistry const& functionObjectRegistry()
+FunctionObjectRegistry& functionObjectRegistry()
 {
-    static FunctionObjectRegistry const registry = [] {
+    static FunctionObjectRegistry registry = [] {
         FunctionObjectRegistry all("function object", "function objects");
+        add<ClosedVoids>(all, "closedVoids");
         add<EnergyBudget>(all, "energyBudget");
         add<FieldMinMax>(all, "fieldMinMax");
         add<Forces>(all, "forces");

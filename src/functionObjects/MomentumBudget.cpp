@@ -1,6 +1,7 @@
 #include "functionObjects/MomentumBudget.h"
 
 #include <limits>
+#include <sstream>
 
 #include "functionObjects/Observed.h"
 
@@ -23,12 +24,27 @@ std::vector<std::string> columnsFor(RunContext const& context)
 
 MomentumBudget::MomentumBudget(std::string const& name, Dictionary const&, RunContext const& context)
     : context_(context),
-      block_("functionObject/" + name + "/start"),
-      start_(balance()),
-      table_(makeTable(context, name, "momentum", columnsFor(context),
-                       {"Momenta and external impulses since the start [N s]",
-                        "residual: change of momentum without an impulse from outside; share: of the weight during 1 s [-]"}))
-{}
+      name_(name),
+      block_("functionObject/" + name + "/"),
+      startTime_(context.startTime),
+      table_(newTable())
+{
+    startNow();
+}
+
+void MomentumBudget::startNow()
+{
+    start_ = balance();
+    startLedger_ = context_.ledger.impulses();
+}
+
+TableFile MomentumBudget::newTable() const
+{
+    std::ostringstream since;
+    since << "Momenta, and impulses from outside since t = " << startTime_ << " s, where this table's sums begin [N s]";
+    return makeTable(context_, name_, "momentum", columnsFor(context_),
+                     {since.str(), "residual: change of momentum without an impulse from outside; share: of the weight during 1 s [-]"});
+}
 
 Vector MomentumBudget::fluidMomentum() const
 {
@@ -65,15 +81,36 @@ void MomentumBudget::write(Step const& step)
     std::vector<Real> row;
     if (context_.particles.fluid().size() > 0) addVector(row, fluidMomentum());
     if (!context_.bodies.empty()) addVector(row, bodyMomentum());
-    for (auto const& [name, impulse] : context_.ledger.impulses()) addVector(row, impulse);
+    for (auto const& [name, impulse] : context_.ledger.impulses())
+    {
+        auto const before = startLedger_.find(name);
+        addVector(row, before == startLedger_.end() ? impulse : Vector(impulse - before->second));
+    }
     Vector const residual = balance() - start_;
     addVector(row, residual);
     row.push_back(weight() > 0 ? residual.norm() / weight() : std::numeric_limits<Real>::quiet_NaN());
     table_.add(step.time, row);
 }
 
-void MomentumBudget::save(State& state) const { state.set(block_, start_); }
+void MomentumBudget::save(State& state) const
+{
+    state.set(block_ + "start", start_);
+    state.set(block_ + "startTime", startTime_);
+    for (auto const& [name, impulse] : startLedger_) state.set(block_ + name, impulse);
+}
 
-void MomentumBudget::load(State const& state) { start_ = state.has(block_) ? state.vector(block_) : balance(); }
+void MomentumBudget::load(State const& state)
+{
+    startNow();
+    if (state.has(block_ + "start"))
+    {
+        start_ = state.vector(block_ + "start");
+        startTime_ = state.real(block_ + "startTime");
+        startLedger_.clear();
+        for (auto const& [name, impulse] : context_.ledger.impulses())
+            if (state.has(block_ + name)) startLedger_[name] = state.vector(block_ + name);
+    }
+    table_ = newTable();
+}
 
 } // namespace mpsDem

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+
 #include "functionObjects/FunctionObject.h"
 #include "io/TableFile.h"
 
@@ -10,6 +12,8 @@ namespace mpsDem {
 /// \f[ \mathbf R = \mathbf P(t)-\mathbf P(0)-\sum_k\mathbf J_k,\qquad \mathbf P=\sum_i m\,\mathbf u_i+\sum_b M_b\mathbf V_b \f]
 /// with the external impulses J_k of the ledger (gravity, walls, contact and supports). Pressure between water and bodies is internal:
 /// what the two sides feel differently appears in R.
+/// P(0) and the sums J_k are those of the first run with this object: one that is added to a run at its restart begins there, with J_k = 0, and
+/// the head of the table tells the time.
 /// Table `momentum.dat` [N s]: fluidx y z, bodies.., each ledger entry.., residual.., share = |R| / (m g 1 s), with m g the weight of the
 /// water (of the bodies where there is none); nan without gravity. Columns of an absent effect are absent.
 class MomentumBudget : public FunctionObject
@@ -28,10 +32,15 @@ private:
     /// P less all impulses [N s].
     [[nodiscard]] Vector balance() const;
     [[nodiscard]] Real weight() const;
+    /// Takes the present state as the start.
+    void startNow();
+    [[nodiscard]] TableFile newTable() const;
 
     RunContext const& context_;
-    std::string block_;
-    Vector start_; ///< Balance at the start of the run.
+    std::string name_, block_;
+    Real startTime_;                            ///< Time from which impulses count [s].
+    Vector start_;                              ///< Balance at that time.
+    std::map<std::string, Vector> startLedger_; ///< Impulses of the ledger at that time [N s].
     TableFile table_;
 };
 

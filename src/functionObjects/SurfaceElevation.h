@@ -30,6 +30,7 @@ struct SurfaceElevationControls
     int splash = 20;
     Real zero = 0;
 
+    /// Reads the keys above. @throw CaseError BadInput for an unknown word or a number out of its range.
     static SurfaceElevationControls read(Dictionary const& dict);
     /// One line for the head of a table.
     [[nodiscard]] std::string str() const;

@@ -22,6 +22,7 @@ public:
     /// @param prefix  "execute" or "write".
     TimeControl(Dictionary const& dict, std::string const& prefix);
 
+    /// Whether the object acts at the end of this step.
     [[nodiscard]] bool due(Step const& step) const;
     /// The next time after t that must be met exactly, or infinity [s].
     [[nodiscard]] Real nextTime(Real t) const;

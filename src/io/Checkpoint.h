@@ -14,13 +14,13 @@ namespace mpsDem {
 ///
 /// A checkpoint is written to `<name>.part/`, forced onto the device, renamed and only then visible: whatever happens while one is
 /// written, the ones before it stay loadable. Each single flipped bit, each truncation and each file of another checkpoint is found.
-
 struct Checkpoint
 {
     State state;
     CheckpointInfo info;
 };
 
+/// A checkpoint on disk whose manifest is valid; its blocks have not been read.
 struct CheckpointEntry
 {
     std::filesystem::path path;

@@ -19,6 +19,7 @@ namespace mpsDem {
 class TableFile
 {
 public:
+    /// Head and digits of a table.
     struct Options
     {
         std::vector<std::string> header; ///< Lines before the one with the column names, without "# ".

@@ -34,8 +34,10 @@ public:
     /// Writes the next file; one of the same time as the last entry (to 1e-9 relative) takes its place.
     /// @throw CaseError (InputOutput)
     void write(Real time, PointCloud const& cloud);
+    /// The same for cells, in another series.
     void write(Real time, SurfaceCells const& surface);
 
+    /// `<case>/VTK/<name>.vtp.series`, what ParaView opens.
     [[nodiscard]] std::filesystem::path seriesFile() const;
 
 private:

@@ -17,8 +17,6 @@ struct Hybrid
     static bool corrects(SurfaceLabel label) { return label == SurfaceLabel::Interior; }
 };
 
-constexpr Real smallestDeterminant = 0.1;
-
 /// Both sums of one particle: of (p_j + p_i) for eq 4 and of (p_j - p_i) with the matrix C^-1 for the corrected form.
 template <int d>
 struct Sums
@@ -40,7 +38,7 @@ struct Sums
         Eigen::Matrix<Real, d, d> inverse;
         for (int a = 0; a < d; ++a)
             for (int b = a; b < d; ++b) inverse(a, b) = inverse(b, a) = factor * moment(a, b);
-        if (inverse.determinant() < smallestDeterminant) return factor * symmetric;
+        if (inverse.determinant() < GradientScheme::smallestDeterminant) return factor * symmetric;
         Vector result = Vector::Zero();
         result.template head<d>() = inverse.inverse() * (factor * difference.template head<d>());
         return result;
@@ -85,10 +83,15 @@ private:
 
 } // namespace
 
+std::string GradientScheme::readName(Dictionary const& gradSchemes, SchemeSet set)
+{
+    return gradSchemes.getWordOr("grad(p)", set == SchemeSet::Paper ? "symmetric" : "corrected", {"symmetric", "corrected", "hybrid"},
+                                 "gradient schemes");
+}
+
 std::unique_ptr<GradientScheme> GradientScheme::read(Dictionary const& gradSchemes, SchemeSet set)
 {
-    std::string const name = gradSchemes.getWordOr("grad(p)", set == SchemeSet::Paper ? "symmetric" : "hybrid",
-                                                   {"symmetric", "corrected", "hybrid"}, "gradient schemes");
+    std::string const name = readName(gradSchemes, set);
     if (name == "symmetric") return std::make_unique<Scheme<Symmetric>>();
     if (name == "corrected") return std::make_unique<Scheme<Corrected>>();
     return std::make_unique<Scheme<Hybrid>>();

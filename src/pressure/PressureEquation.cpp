@@ -15,9 +15,11 @@ constexpr Real responseTolerance = 1e-3;
 
 } // namespace
 
-PressureEquation::PressureEquation(Dictionary const& solver, PressureSource const& source, Lattice const& lattice, Real density,
-                                   ReferenceConstants const& gradientConstants, ReferenceConstants const& laplacianConstants)
+PressureEquation::PressureEquation(Dictionary const& solver, PressureSource const& source, std::unique_ptr<SurfacePressure> surface,
+                                   Lattice const& lattice, Real density, ReferenceConstants const& gradientConstants,
+                                   ReferenceConstants const& laplacianConstants)
     : source_(source),
+      surface_(std::move(surface)),
       lattice_(lattice),
       density_(density),
       gradientConstants_(gradientConstants),
@@ -57,6 +59,7 @@ void PressureEquation::chooseRows(ParticleSet const& particles, NeighbourList co
     matrix_.column.reserve(neighbours.pairs() + particle_.size());
     matrix_.value.reserve(neighbours.pairs() + particle_.size());
     pinned_.assign(particle_.size(), 0);
+    known_.assign(particle_.size(), 0);
 }
 
 void PressureEquation::appendRow(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images, int i)
@@ -74,7 +77,10 @@ void PressureEquation::appendRow(ParticleSet const& particles, NeighbourList con
         Real const a = factor * w[k];
         diagonal += a;
         if (particles.surface[j] == SurfaceLabel::Surface)
+        {
             pinned_[row] = 1;
+            if (surface_) known_[row] += a * (*surface_)[j];
+        }
         else
             entries_.emplace_back(row_[images.source(particles, j)], -a);
     }
@@ -102,6 +108,7 @@ void PressureEquation::appendRow(ParticleSet const& particles, NeighbourList con
 void PressureEquation::assemble(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images)
 {
     chooseRows(particles, neighbours);
+    if (surface_) surface_->evaluate(particles, neighbours, gradientConstants_, images);
     for (int const i : particle_)
     {
         if (isUnknown(particles, i))
@@ -146,10 +153,12 @@ SolveReport PressureEquation::solve(ParticleSet& particles, NeighbourList const&
     {
         int const i = particle_[row];
         bool const unknown = isUnknown(particles, i);
-        right_[row] = unknown ? -source_.evaluate(particles, neighbours, gradientConstants_, step, i) : 0;
+        right_[row] = unknown ? known_[row] - source_.evaluate(particles, neighbours, gradientConstants_, step, i) : 0;
         solution_[row] = unknown ? particles.p[i] : 0;
     }
-    return solveRows(particles, particles.p, controls_.tolerance);
+    SolveReport const report = solveRows(particles, particles.p, controls_.tolerance);
+    if (surface_) surface_->assign(particles);
+    return report;
 }
 
 SolveReport PressureEquation::response(ParticleSet const& particles, NeighbourList const& neighbours, Field<Vector> const& acceleration,
@@ -181,15 +190,19 @@ SolveReport PressureEquation::response(ParticleSet const& particles, NeighbourLi
 
 void PressureEquation::explain(CaseError const& error, ParticleSet const& particles) const
 {
-    auto const worst = std::max_element(right_.begin(), right_.end(), [](Real a, Real b) { return !(std::abs(a) >= std::abs(b)); });
     std::ostringstream text;
     text << "pressure equation: " << error.what();
+    // The row that the solver names, but where the right side is finite and its norm is not: that of the largest right side.
+    auto const* const failure = dynamic_cast<SolverFailure const*>(&error);
+    bool const named = failure && !(std::isfinite(right_[failure->row()]) && !std::isfinite(norm(right_)));
+    auto const worst = std::max_element(right_.begin(), right_.end(), [](Real a, Real b) { return !(std::abs(a) >= std::abs(b)); });
     if (worst != right_.end())
     {
-        int const i = particle_[static_cast<std::size_t>(worst - right_.begin())];
+        std::ptrdiff_t const row = named ? failure->row() : worst - right_.begin();
+        int const i = particle_[static_cast<std::size_t>(row)];
         Vector const r = particles.r[i];
-        text << "\n    largest right side at particle " << particles.id[i] << " at (" << r.x() << ' ' << r.y() << ' ' << r.z()
-             << "), |u| = " << particles.u[i].norm() << " m/s, n/n0 = " << particles.n[i];
+        text << "\n    " << (named ? "that row is" : "largest right side at") << " particle " << particles.id[i] << " at (" << r.x() << ' '
+             << r.y() << ' ' << r.z() << "), |u| = " << particles.u[i].norm() << " m/s, n/n0 = " << particles.n[i];
     }
     throw CaseError(error.code(), text.str(), "a smaller maxDeltaT or maxCo, or another scheme of system/mpsSchemes, may help");
 }

@@ -6,22 +6,25 @@
 #include "pressure/LinearSolver.h"
 #include "pressure/PressureGroups.h"
 #include "pressure/PressureSource.h"
+#include "pressure/SurfacePressure.h"
 
 namespace mpsDem {
 
 /// Eq 8: the pressure Poisson equation of a step, one row per wet particle.
 ///
 /// \f[ \frac{2d}{n^0\lambda}\sum_{j} w_{ij}\,(p_i - p_j) = -b_i \f]
-/// over fluid and wet wall particles j. Surface particles have p = 0 (Dirichlet), dry walls and ghosts no place in it. The matrix is a
+/// over fluid and wet wall particles j. The pressure of surface particles is given (Dirichlet: SurfacePressure, or 0), dry walls and ghosts no place in it. The matrix is a
 /// symmetric M-matrix. Groups of particles without any p = 0 in reach (a closed box, an island in flight) are found by a flood fill:
 /// up to three particles get p = 0, larger groups have their right side made compatible and their lowest pressure set to zero.
 class PressureEquation
 {
 public:
     /// @param solver    `solvers { p {...} }` of system/mpsSolution.
+    /// @param surface   Pressure of surface particles; empty: 0.
     /// @param constants Of the gradient radius (eq 5) and of the Laplacian radius (eq 6).
-    PressureEquation(Dictionary const& solver, PressureSource const& source, Lattice const& lattice, Real density,
-                     ReferenceConstants const& gradientConstants, ReferenceConstants const& laplacianConstants);
+    PressureEquation(Dictionary const& solver, PressureSource const& source, std::unique_ptr<SurfacePressure> surface,
+                     Lattice const& lattice, Real density, ReferenceConstants const& gradientConstants,
+                     ReferenceConstants const& laplacianConstants);
     ~PressureEquation();
 
     /// Builds the matrix for the present positions and labels.
@@ -51,6 +54,7 @@ private:
     [[noreturn]] void explain(CaseError const& error, ParticleSet const& particles) const;
 
     PressureSource source_;
+    std::unique_ptr<SurfacePressure> surface_;
     Lattice lattice_;
     Real density_;
     ReferenceConstants gradientConstants_, laplacianConstants_;
@@ -62,8 +66,9 @@ private:
     Field<int> row_;      ///< Row of each owned particle, -1 without.
     Field<int> particle_; ///< Particle of each row.
     SparseMatrix matrix_;
-    Field<std::uint8_t> pinned_; ///< Per row: coupled to a particle with p = 0.
+    Field<std::uint8_t> pinned_; ///< Per row: coupled to a particle of given pressure.
     PressureGroups groups_;
+    Field<Real> known_; ///< Per row: part of the right side from particles of given pressure.
     Field<Real> right_, solution_;
     std::vector<std::pair<int, Real>> entries_;
 };

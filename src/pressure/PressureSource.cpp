@@ -10,9 +10,9 @@ PressureSource::PressureSource(Dictionary const& dict, SchemeSet set, Real densi
     std::string const type = dict.getWordOr("type", "mixed", {"mixed", "density", "divergence"}, "source schemes");
     type_ = type == "density" ? Type::Density : type == "divergence" ? Type::Divergence : Type::Mixed;
     bool const fixedGamma = dict.found("gamma") && !dict.found("relaxationTime");
-    relaxationTime_ = dict.getInRangeOr("relaxationTime", paper || fixedGamma ? 0 : 0.1, 0, 10);
+    relaxationTime_ = dict.getInRangeOr("relaxationTime", paper || fixedGamma ? 0 : 0.05, 0, 10);
     gamma_ = dict.getInRangeOr("gamma", 0.01, 0, 1);
-    maxGamma_ = dict.getInRangeOr("maxGamma", 0.05, 0, 1);
+    maxGamma_ = dict.getInRangeOr("maxGamma", 0.1, 0, 1);
     clip_ = dict.getInRangeOr("densityClip", 0, 0, 1);
     rampSteps_ = static_cast<int>(dict.getInRangeOr("rampSteps", paper ? 0 : 20, 0, 1000));
 }

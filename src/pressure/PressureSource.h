@@ -13,9 +13,9 @@ namespace mpsDem {
 ///
 /// | key | meaning | unit | default (standard, paper) | range |
 /// | type | mixed, density (first term off), divergence (second term off, gamma = 0) | - | mixed | - |
-/// | relaxationTime | tau; 0: use gamma | s | 0.1, 0 | 0..10 |
+/// | relaxationTime | tau; 0: use gamma | s | 0.05, 0 | 0..10 |
 /// | gamma | gamma where relaxationTime is 0 | - | 0.01 | 0..1 |
-/// | maxGamma | upper bound of dt/tau | - | 0.05 | 0..1 |
+/// | maxGamma | upper bound of dt/tau | - | 0.1 | 0..1 |
 /// | densityClip | bound of abs(e); 0: none. A clip of 0.02 leaves foam above the submarine wedge that never closes | - | 0 | 0..1 |
 /// | rampSteps | gamma grows from 0 over the first steps of a run from rest | - | 20, 0 | 0..1000 |
 class PressureSource

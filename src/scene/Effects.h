@@ -10,7 +10,9 @@ namespace mpsDem {
 class Effects
 {
 public:
+    /// Adds a line. @param why  What switched it on or off: a file, an entry, a mode.
     void add(std::string const& name, bool on, std::string const& why) { entries_.push_back({name, on, why}); }
+    /// Writes the list to the log.
     void print(std::ostream& os) const;
     /// "name on|off why" of each, for the manifest of a checkpoint.
     [[nodiscard]] std::vector<std::string> lines() const;

@@ -26,6 +26,7 @@ struct FieldValues
     Vector velocity = Vector::Zero(); ///< [m/s]
     Real pressure = 0;                ///< [Pa]
 };
+/// Reads the entry `key`; nothing is set where it is absent.
 FieldValues readFieldValues(Dictionary const& dict, std::string const& key);
 
 /// A vector that must be finite and, in 2-D, have no third component.

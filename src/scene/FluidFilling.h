@@ -27,6 +27,7 @@ struct LatticePlacement
     Real jitter = 0;
     std::uint64_t seed = 1;
 
+    /// Reads `lattice`; the defaults where it is absent. @throw CaseError BadInput for a number out of its range.
     static LatticePlacement read(Dictionary const& setParticlesDict);
 };
 

@@ -37,8 +37,10 @@ FluidStage::FluidStage(ParticleSet& particles, std::vector<Polyline> const& wall
 {
     PressureSource const source(setup.schemes.subDictOrEmpty("sourceSchemes"), readSchemeSet(setup.schemes), setup.density);
     pressure_ =
-        std::make_unique<PressureEquation>(setup.solution.subDictOrEmpty("solvers").subDictOrEmpty("p"), source, particles.lattice(),
-                                           setup.density, fluid_.gradientConstants(), fluid_.laplacianConstants());
+        std::make_unique<PressureEquation>(setup.solution.subDictOrEmpty("solvers").subDictOrEmpty("p"), source,
+                                           SurfacePressure::read(setup.schemes.subDictOrEmpty("freeSurfaceSchemes"),
+                                                                 setup.schemes.subDictOrEmpty("gradSchemes"), readSchemeSet(setup.schemes)),
+                                           particles.lattice(), setup.density, fluid_.gradientConstants(), fluid_.laplacianConstants());
     low_ = high_ = particles.size() > 0 ? particles.r.front() : Vector(Vector::Zero());
     for (Vector const& r : particles.r)
     {
@@ -93,7 +95,7 @@ void FluidStage::label()
 void FluidStage::predict(Step const& step)
 {
     Timers::Scope const timer(Timers::stage(predictTimer_));
-    fluid_.predict(particles_, neighbours_, step.dt);
+    fluid_.predict(particles_, neighbours_, images_, step.dt);
     images_.update(particles_.uStar, particles_.halo());
 }
 
@@ -130,7 +132,8 @@ void FluidStage::correct(Step const& step)
     if (shiftTimer_ >= 0)
     {
         Timers::Scope const timer(Timers::stage(shiftTimer_));
-        fluid_.shift(particles_, neighbours_);
+        images_.update(fluid_.shifting()->propose(particles_, neighbours_, step.dt), particles_.halo());
+        fluid_.shifting()->apply(particles_, neighbours_);
     }
     particles_.dropHalo();
 }

@@ -47,6 +47,9 @@ public:
     [[nodiscard]] BoundaryLabeller const& labeller() const { return *labeller_; }
     [[nodiscard]] bool positivePressure() const { return fluid_.negativePressure() == NegativePressure::Clamp; }
 
+    /// Whether a direction is periodic (`cyclic` of system/mpsSchemes).
+    [[nodiscard]] bool periodic() const { return images_.any(); }
+
     /// Particles taken out because they left the domain or went through a wall, since the start.
     [[nodiscard]] std::int64_t escaped() const { return escaped_; }
 

@@ -24,6 +24,7 @@ public:
 
     /// Continues the series at the time of a restart.
     void startAt(Real time);
+    /// Writes the next file of each series at the time [s]. @throw CaseError (InputOutput)
     void write(Real time);
 
 private:

@@ -28,6 +28,7 @@ class Region
 public:
     virtual ~Region() = default;
 
+    /// Whether the point [m] lies within or on the border.
     [[nodiscard]] virtual bool contains(Vector const& r) const = 0;
     /// Corners of a box that holds the region.
     [[nodiscard]] virtual Vector low() const = 0;

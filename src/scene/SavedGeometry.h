@@ -29,12 +29,14 @@ struct BodyOutline
     Real radius = 0; ///< Of a cylinder [m]; 0 for other shapes.
 };
 
+/// Write the blocks of the walls, of a body with its number, and of the wall of each boundary particle.
 void saveSurfaces(State& state, std::vector<Polyline> const& surfaces);
 void saveOutline(State& state, std::string const& body, int index, BodyOutline const& outline);
 void saveWallOf(State& state, Field<int> const& wallOf);
 
 /// Walls in the order of `wallOf`, with their names; empty where the case has none.
 std::vector<Polyline> loadSurfaces(State const& state);
+/// @throw CaseError (InputOutput) where the state has no such body.
 BodyOutline loadOutline(State const& state, std::string const& body);
 /// @throw CaseError (InputOutput) where its length is not that of the boundary particles or a number is out of range.
 Field<int> loadWallOf(State const& state, std::size_t boundaryParticles, std::size_t surfaces);

@@ -131,6 +131,10 @@ void Scene::buildSolids()
     std::vector<FluidBodyCoupling> couplings;
     if (fluid_)
     {
+        // Images of a body's particles carry no acceleration, its surface points see no images, and contact knows no period.
+        require(!fluid_->periodic(), dicts_.schemes ? dicts_.schemes->where("cyclic") : Location{},
+                "periodic borders in a case with fluid and rigid bodies",
+                "walls or open water in all directions, or no constant/rigidBodyProperties");
         Dictionary const solution = dicts_.solution.value_or(Dictionary());
         auto const controls =
             FluidBodyCoupling::readControls(solution.subDictOrEmpty("coupling"), dicts_.lattice, fluid_->positivePressure());

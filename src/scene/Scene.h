@@ -20,6 +20,7 @@ namespace mpsDem {
 class Scene
 {
 public:
+    /// What the command line asks for.
     struct Options
     {
         bool functionObjects = true;
@@ -35,14 +36,23 @@ public:
     [[nodiscard]] Step nextStep();
 
     // The stages of a step; each does nothing where its effect is absent.
+    /// Particles of bodies take their place and motion.
     void moveBoundaries();
+    /// Order in space, periodic images, neighbours at r^m.
     void updateNeighbours(Step const& step);
+    /// Number density, free surface, DBL (Fig 2).
     void label();
+    /// u* of fluid and boundary: eq 2 without grad p.
     void predict(Step const& step);
+    /// p^{m+1} by eq 8. @throw CaseError Solver or NotFinite
     void solvePressure(Step const& step);
+    /// Force and moment of the pressure on each body (eqs 15-16), added mass where the coupling is strong.
     void loadBodies(Step const& step);
+    /// Contacts (eqs 11-12) and motion (eqs 13-14) in sub-steps; the pressure is corrected for the acceleration found.
     void advanceBodies(Step const& step);
+    /// u^{m+1}, r^{m+1} by eq 4; collision, shifting. @throw CaseError NotFinite
     void correctFluid(Step const& step);
+    /// Ends the step: function objects.
     void observe(Step const& step);
 
     /// Fields for ParaView and a checkpoint, where the step asks for them.
@@ -53,12 +63,15 @@ public:
     void writeEnd();
     /// Fields now.
     void writeFields();
-    /// Asks for a checkpoint, or for one and the end of the run, at the next step at which a restarted run goes on with the same bytes.
-    void askCheckpoint() { checkpointAsked_ = true; }
-    void askStop() { checkpointAsked_ = stopAsked_ = true; }
+    /// Asks for a checkpoint, or for one and the end of the run, at the next step at which a restarted run goes on with the same bytes, and
+    /// tells it in the log. @param who  What asked, e.g. "signal 12 (SIGUSR2)". A second request changes nothing.
+    void askCheckpoint(std::string const& who);
+    void askStop(std::string const& who);
     /// Writes a checkpoint that was asked for, or that is due by the clock, if this is such a step.
     void serveCheckpoint();
 
+    /// Line of the log for a run that was stopped: where it stands and which state it has saved.
+    void logStop() const;
     /// Lines of the log for a step.
     void logStep(Step const& step, double executionTime, double clockTime) const;
     /// The bill, escaped particles, limited accelerations.
@@ -80,6 +93,9 @@ private:
     void checkDictionaries() const;
     void accumulateImpulse(Step const& step);
     void writeCheckpointNow();
+    /// Whether a restart after the present step goes on with the same bytes.
+    [[nodiscard]] bool atSeam() const;
+    void logRequest(std::string const& who, std::string const& what) const;
 
     CaseFolder case_;
     SceneDictionaries dicts_;
@@ -106,8 +122,8 @@ private:
     bool solved_ = false;
     double particleSteps_ = 0;
     int checkpointTimer_ = -1, observerTimer_ = -1;
-    bool checkpointAsked_ = false, stopAsked_ = false;
-    std::int64_t lastCheckpoint_ = -1; ///< Step of the last checkpoint of this run.
+    bool checkpointAsked_ = false, checkpointDue_ = false, stopAsked_ = false; ///< By a user, by the clock, by a user.
+    std::int64_t lastCheckpoint_ = -1;                                         ///< Step of the last checkpoint of this run.
     std::chrono::steady_clock::time_point lastCheckpointClock_;
 };
 

@@ -49,6 +49,27 @@ void Scene::logStep(Step const& step, double executionTime, double clockTime) co
     os << "ExecutionTime = " << executionTime << " s  ClockTime = " << clockTime << " s\n" << std::endl;
 }
 
+void Scene::logRequest(std::string const& who, std::string const& what) const
+{
+    std::int64_t const now = time_->stepNumber(), interval = FluidStage::sortInterval;
+    info() << "Request by " << who << " received at time " << time_->format(time_->time()) << " s, step " << now << ": " << what;
+    if (atSeam())
+        info() << " at once";
+    else
+        info() << " after step " << (now / interval + 1) * interval << " at the latest, or at a write time or the end before it";
+    info() << '\n' << std::endl;
+}
+
+void Scene::logStop() const
+{
+    info() << "Stopped on request at time " << time_->format(time_->time()) << " s, step " << time_->stepNumber() << "; ";
+    if (lastCheckpoint_ == time_->stepNumber())
+        info() << "the state of this step is saved: checkpoint/" << lastCheckpoint_;
+    else
+        info() << "the state of this step is not saved; a restart goes on from the newest one in checkpoint/, or from the start";
+    info() << '\n' << std::endl;
+}
+
 void Scene::logEnd(double loopSeconds) const
 {
     if (fluid_)

@@ -1,6 +1,7 @@
 #include <chrono>
 #include <limits>
 
+#include "core/Log.h"
 #include "core/Timers.h"
 #include "io/Checkpoint.h"
 #include "scene/Scene.h"
@@ -80,6 +81,7 @@ void Scene::accumulateImpulse(Step const& step)
         surface.interpolate(
             particles_, fluid_->neighbours().grid(), particles_.p, gravity_, density, [](Vector const&) { return Vector(Vector::Zero()); },
             controls);
+        surface.dryContactFaces(particles_, fluid_->neighbours().grid());
         walls -= step.dt * surface.integrate(Vector::Zero()).force; // on the water: the reaction
     }
     Real const mass = density * dicts_.lattice.particleVolume() * particles_.fluid().size();
@@ -150,13 +152,33 @@ void Scene::serveCheckpoint()
 {
     Real const interval = time_->checkpointInterval();
     Real const seconds = std::chrono::duration<Real>(std::chrono::steady_clock::now() - lastCheckpointClock_).count();
-    if (interval > 0 && seconds > interval) checkpointAsked_ = true;
-    // After these steps an unbroken run, too, sorts its particles and starts its solver anew.
-    bool const seam = !fluid_ || time_->stepNumber() % FluidStage::sortInterval == 0 || lastCheckpoint_ == time_->stepNumber();
-    if (!checkpointAsked_ || !seam) return;
+    if (interval > 0 && seconds > interval) checkpointDue_ = true;
+    if (!(checkpointAsked_ || checkpointDue_) || !atSeam()) return;
     if (lastCheckpoint_ != time_->stepNumber()) writeCheckpointNow();
-    checkpointAsked_ = false;
-    if (stopAsked_) time_->stopNow();
+    if (stopAsked_)
+        time_->stopNow();
+    else if (checkpointAsked_)
+        info() << "The state asked for is saved: time " << time_->format(time_->time()) << " s, checkpoint/" << lastCheckpoint_ << '\n'
+               << std::endl;
+    checkpointAsked_ = checkpointDue_ = false;
+}
+
+bool Scene::atSeam() const
+{
+    // After these steps an unbroken run, too, sorts its particles and starts its solver anew.
+    return !fluid_ || time_->stepNumber() % FluidStage::sortInterval == 0 || lastCheckpoint_ == time_->stepNumber();
+}
+
+void Scene::askCheckpoint(std::string const& who)
+{
+    if (!checkpointAsked_) logRequest(who, "the state will be saved");
+    checkpointAsked_ = true;
+}
+
+void Scene::askStop(std::string const& who)
+{
+    if (!stopAsked_) logRequest(who, "the run will save its state and stop");
+    checkpointAsked_ = stopAsked_ = true;
 }
 
 } // namespace mpsDem

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
@@ -6,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "io/Table.h"
 #include "support/ProgramRun.h"
 
 /// A run that is broken off and continued ends with the bytes of a run that went through.
@@ -131,6 +133,29 @@ TEST(Restart, WithAlgebraicMultigrid)
     ASSERT_EQ(run.exitCode, 0) << run.error;
     ASSERT_NE(run.output.find("MueLu"), std::string::npos) << "the multigrid was not used";
     expectContinues(unbroken, broken, "0.15");
+}
+
+TEST(Restart, MayAddABudget)
+{
+    WedgeCase const testCase;
+    std::string const budget = "    momentum { type momentumBudget; writeControl runTime; writeInterval 0.01; }\n";
+    testCase.replace("system/controlDict", budget, "");
+    testCase.replace("constant/particleProperties", "0.05", "0.08");
+    testCase.setEndTime("0.1");
+    testCase.makeParticles();
+    ASSERT_EQ(testCase.run().exitCode, 0);
+    testCase.replace("system/controlDict", "functions\n{\n", "functions\n{\n" + budget);
+    testCase.setEndTime("0.2");
+    ProgramResult const result = testCase.run();
+    ASSERT_EQ(result.exitCode, 0) << result.error;
+    std::filesystem::path const file = testCase.root() / "postProcessing/momentum/0.1/momentum.dat";
+    EXPECT_NE(contentOf(file).find("since t = 0.1 s"), std::string::npos);
+    mpsDem::Table const table = mpsDem::readTable(file);
+    double largest = 0;
+    for (double const share : table.column("share")) largest = std::max(largest, share);
+    EXPECT_GE(table.column("share").size(), 9u);
+    print("momentum budget from a restart: residual", largest, 0.02);
+    EXPECT_LE(largest, 0.02);
 }
 
 TEST(Restart, InTheMiddleOfAnImpactKeepsTheContactHistory)

@@ -16,6 +16,26 @@ using namespace mpsDem::test;
 
 int constexpr done = 0, stopped = 3, locked = 4;
 
+/// The log tells at once that the request has come (not of nextWrite, which is no request but a time) and at the end what was saved.
+void expectToldInTheLog(std::string const& log, std::string const& what, std::vector<int> const& checkpoints)
+{
+    ASSERT_FALSE(checkpoints.empty()) << what;
+    std::string const saved = "the state of this step is saved: checkpoint/" + std::to_string(checkpoints.back());
+    std::size_t const end = log.find("Stopped on request at time ");
+    ASSERT_NE(end, std::string::npos) << what;
+    EXPECT_NE(log.find(", step " + std::to_string(checkpoints.back()) + "; " + saved, end), std::string::npos) << what << '\n'
+                                                                                                               << log.substr(end);
+    if (what == "stopAt nextWrite") return;
+    std::string const told = what.starts_with("signal") ? "Request by signal "
+                             : what == "stop file"      ? "Request by the file stop"
+                                                        : "Request by stopAt";
+    std::size_t const request = log.find(told);
+    ASSERT_NE(request, std::string::npos) << what;
+    EXPECT_LT(request, end) << what;
+    EXPECT_EQ(log.find("Request by ", request + 1), std::string::npos) << what << ": told twice";
+    EXPECT_NE(log.find("will save its state and stop ", request), std::string::npos) << what;
+}
+
 /// Lets a run of the case reach its 20th step, asks it to stop, and compares what a restart gives with a run that nobody stopped.
 void expectStopsAndGoesOn(
     std::string const& what, std::function<void(WedgeCase const&, RunningProgram const&)> const& ask,
@@ -35,6 +55,7 @@ void expectStopsAndGoesOn(
     ProgramResult const first = program.wait();
     EXPECT_EQ(first.exitCode, stopped) << what << '\n' << first.error;
     EXPECT_NE(first.output.find("\nEnd\n"), std::string::npos) << what;
+    expectToldInTheLog(first.output, what, testCase.checkpoints());
     ASSERT_FALSE(testCase.checkpoints().empty()) << what << ": no state was saved";
     EXPECT_LT(testCase.checkpoints().back(), unbroken.checkpoints().back()) << what;
     undo(testCase);
@@ -87,7 +108,10 @@ TEST(StopRequest, Usr1WritesAndGoesOn)
     EXPECT_EQ(result.exitCode, done) << result.error;
     // The end, and the next step at which a restart gives the same bytes.
     ASSERT_EQ(testCase.checkpoints().size(), 2u);
-    EXPECT_EQ(testCase.checkpoints().front() % 50, 0);
+    int const asked = testCase.checkpoints().front();
+    EXPECT_EQ(asked % 50, 0);
+    EXPECT_NE(result.output.find("Request by signal USR1 received at time "), std::string::npos);
+    EXPECT_NE(result.output.find(" s, checkpoint/" + std::to_string(asked) + "\n"), std::string::npos);
     std::string const series = contentOf(testCase.root() / "VTK/particles.vtp.series");
     EXPECT_NE(series.find("particles_000002.vtp"), std::string::npos) << "start, request and end are three files\n" << series;
 }

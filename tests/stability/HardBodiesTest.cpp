@@ -1,4 +1,4 @@
-// Hard cases of bodies: at rest on a slope, hitting an end stop, nearly as light as water or lighter, pinned between walls.
+// Hard cases of bodies: at rest on a slope, nearly as light as water or lighter, pinned between walls.
 
 #include <cmath>
 #include <numbers>
@@ -9,64 +9,70 @@ namespace mpsDem::test {
 
 namespace {
 
-/// A slope of 45 degrees into 1 m of water, and the wedge of 0.5 m on it. @param top  Height of its upper side [m].
-void writeSlope(RunCase& run, Real top, std::string const& motion)
+/// A block of 0.4 m x 0.1 m and 2700 kg/m3 on a slope of 10 degrees that ends at (length, 0).
+void writeBlock(RunCase& run, Real length)
 {
-    auto const point = [&](Real x, Real y) { return "(" + std::to_string(x) + " " + std::to_string(y) + " 0)"; };
-    run.write("system/setParticlesDict", "geometry { bed { type polyline; points ((-0.6 1.6 0) (1 0 0) (2.2 0 0) (2.2 1.6 0)); } }\n"
-                                         "regions ( boxToParticle { box (-0.6 0 0) (2.2 1 0); } );\nhydrostatic { surface 1; }");
-    run.write("constant/rigidBodyProperties", "bodies { slide { shape { type polygon; points (" + point(1 - top, top) +
-                                                  point(1.5 - top, top - 0.5) + point(1.5 - top, top) + "); } density 2036; " + motion +
-                                                  " } }");
+    Real const c = std::cos(10 * std::numbers::pi / 180), s = std::sin(10 * std::numbers::pi / 180);
+    auto const corner = [&](Real along, Real up) {
+        Real const x = 0.25 * length + along * c + up * s, y = 0.75 * length * s / c - along * s + up * c;
+        return "(" + std::to_string(x) + " " + std::to_string(y) + " 0)";
+    };
+    run.write("constant/rigidBodyProperties", "bodies { block { shape { type polygon; points (" + corner(0, 0) + corner(0.4, 0) +
+                                                  corner(0.4, 0.1) + corner(0, 0.1) + "); } density 2700; } }");
+    run.write("constant/contactProperties", "mu 0.3;");
 }
 
-/// The wedge arrives at its end stop with 3 m/s under water.
-void hitStop(std::string const& name, std::string const& stop, bool locks)
+/// Runs to the end. @return displacement of the block since 1 s [m].
+Real creep(RunCase& run, RunCase::EachStep const& eachStep = {})
 {
-    RunCase run(0.04);
-    writeSlope(run, 0.6, "velocity (2.1213 -2.1213 0);");
-    run.write("constant/contactProperties",
-              "mu 0.0105; stoppers { foot { " + stop + " body slide; point (1 0 0); normal (-0.70710678 0.70710678 0); } }");
-    run.write("system/mpsSolution", "coupling { type strong; }");
-    run.control(0.4, 1e-3).make();
-    Watch watch;
-    run.run([&](Scene const& scene, Step const& step) { watch.observe(scene, step); });
-    expectBelow(name + ": largest speed of water over sqrt(2 g H)", watch.fastest / std::sqrt(2 * 9.81), 3);
-    expectBelow(name + ": particles lost", static_cast<Real>(run.scene().fluid()->escaped()), 0);
-    if (locks)
-    {
-        EXPECT_TRUE(run.body().locked());
-    }
-    expectBelow(name + ": speed of the slide at the end [m/s]", run.body().velocity().norm(), 1);
+    Vector atOneSecond = Vector::Zero();
+    run.run([&](Scene const& scene, Step const& step) {
+        if (step.time < 1) atOneSecond = scene.bodies()[0]->centre();
+        if (eachStep) eachStep(scene, step);
+    });
+    return (run.body().centre() - atOneSecond).norm();
 }
 
 } // namespace
 
-// H5: the static friction of a block on 10 degrees, without water.
+// H5: static friction holds a block on 10 degrees without any creep.
 TEST(HardBodies, restsOnASlope)
 {
     RunCase run(0.05);
     std::filesystem::remove(run.root() / "constant/transportProperties");
     run.write("system/setParticlesDict", "geometry { slope { type polyline; points ((0 0.352654 0) (2 0 0)); } }");
-    Real const c = std::cos(10 * std::numbers::pi / 180), s = std::sin(10 * std::numbers::pi / 180);
-    auto const corner = [&](Real along, Real up) {
-        return "(" + std::to_string(0.5 + along * c + up * s) + " " + std::to_string(0.352654 - 0.5 * s / c - along * s + up * c) + " 0)";
-    };
-    run.write("constant/rigidBodyProperties", "bodies { block { shape { type polygon; points (" + corner(0, 0) + corner(0.4, 0) +
-                                                  corner(0.4, 0.1) + corner(0, 0.1) + "); } density 2700; } }");
-    run.write("constant/contactProperties", "mu 0.3;");
-    run.fixedSteps(5, 2e-3).make();
-    Vector atOneSecond = Vector::Zero();
-    run.run([&](Scene const& scene, Step const& step) {
-        if (step.time < 1) atOneSecond = scene.bodies()[0]->centre();
-    });
-    expectBelow("block on 10 degrees, mu 0.3: creep in 4 s [m]", (run.body().centre() - atOneSecond).norm(), 1e-7);
-    expectBelow("block on 10 degrees, mu 0.3: speed at 5 s [m/s]", run.body().velocity().norm(), 1e-7);
+    writeBlock(run, 2);
+    run.fixedSteps(20, 2e-3).make();
+    expectBelow("block on 10 degrees, mu 0.3: creep in 19 s [m]", creep(run), 1e-7);
+    expectBelow("block on 10 degrees, mu 0.3: speed at 20 s [m/s]", run.body().velocity().norm(), 1e-7);
 }
 
-// H1
-TEST(HardBodies, hitsALatchAtThreeMetresPerSecond) { hitStop("latch at 3 m/s", "type latch;", true); }
-TEST(HardBodies, hitsAStopperAtThreeMetresPerSecond) { hitStop("stopper at 3 m/s", "type stopper; e 0.1;", false); }
+// H5 under water, whose pressure is never quite at rest. Still water of ten rows dilates by 0.7 % in the first seconds, with or without
+// the block, and its energy rises by 1 %; then it stays.
+TEST(HardBodies, restsOnASlopeUnderWater)
+{
+    for (std::string const face : {"dry", "pore"})
+    {
+        RunCase run(0.05);
+        run.write("system/setParticlesDict",
+                  "geometry { tank { type polyline; points ((0 0.9 0) (0 0.211592 0) (1.2 0 0) (1.2 0.9 0)); } }\n"
+                  "regions ( boxToParticle { box (0 0 0) (1.2 0.5 0); } );\nhydrostatic { surface 0.5; }");
+        writeBlock(run, 1.2);
+        run.write("system/mpsSolution", "coupling { type strong; contactFace " + face + "; }");
+        run.control(20, 5e-3).make();
+        Watch watch;
+        Series before, after; // energy of the water from 10 s to 15 s, and from then on [J]
+        std::string const name = "block under water, contact face " + face;
+        Real const displacement = creep(run, [&](Scene const& scene, Step const& step) {
+            watch.observe(scene, step);
+            if (step.time > 10) (step.time > 15 ? after : before).add(kineticEnergy(scene) + potentialEnergy(scene));
+        });
+        expectBelow(name + ": creep in 19 s [m]", displacement, 1e-4);
+        expectBelow(name + ": speed at 20 s [m/s]", run.body().velocity().norm(), 1e-4);
+        expectInBand(name, run, watch, {.height = 0.5, .energy = 0.02});
+        expectBelow(name + ": growth of energy, 10..15 s to 15..20 s", after.mean() / before.mean() - 1, 0.005);
+    }
+}
 
 // H9
 TEST(HardBodies, sinksOrFloatsNearTheDensityOfWater)
@@ -83,8 +89,7 @@ TEST(HardBodies, sinksOrFloatsNearTheDensityOfWater)
         Watch watch;
         run.run([&](Scene const& scene, Step const& step) { watch.observe(scene, step); });
         std::string const name = "box of " + std::to_string(static_cast<int>(density)) + " kg/m3";
-        expectBelow(name + ": rise of energy over that of the start", watch.rise / watch.start, 0.02);
-        expectBelow(name + ": largest speed of water over sqrt(2 g H)", watch.fastest / std::sqrt(2 * 9.81 * 0.6), 3);
+        expectInBand(name, run, watch, {.height = 0.6, .energy = 0.02});
         if (density > 1000)
             expectBetween(name + ": height of its centre at 1.5 s [m]", run.body().centre().y(), 0.11, 0.3);
         else
@@ -108,6 +113,7 @@ TEST(HardBodies, staysPinnedBetweenTwoWalls)
     expectBelow("pinned box: displacement in 1 s [m]", (run.body().centre() - start).norm(), 0.002);
     expectBelow("pinned box: speed at the end [m/s]", run.body().velocity().norm(), 0.01);
     expectBelow("pinned box: largest speed of water [m/s]", watch.fastest, 1);
+    expectInBand("pinned box", run, watch, {.height = 0.6, .energy = 0.02});
 }
 
 } // namespace mpsDem::test

@@ -8,15 +8,7 @@ namespace mpsDem::test {
 
 namespace {
 
-/// Ends with nothing lost, no particle faster than 3 sqrt(2 g H), no energy from nowhere.
-void expectInBounds(std::string const& name, RunCase const& run, Watch const& watch, Real height)
-{
-    expectBelow(name + ": largest speed over sqrt(2 g H)", watch.fastest / std::sqrt(2 * 9.81 * height), 3);
-    expectBelow(name + ": rise of energy over that of the start", watch.rise / watch.start, 0.02);
-    expectBelow(name + ": particles lost", static_cast<Real>(run.scene().fluid()->escaped()), 0);
-}
-
-void damBreak(std::string const& name, std::string const& control, Real dt, Real jitter)
+void damBreak(std::string const& name, std::string const& control, Real dt, Real jitter, Real energy)
 {
     RunCase run(0.02);
     run.write("system/setParticlesDict", "geometry { tank { type polyline; points ((0 1.2 0) (0 0 0) (1.6 0 0) (1.6 1.2 0)); } }\n"
@@ -25,20 +17,24 @@ void damBreak(std::string const& name, std::string const& control, Real dt, Real
     run.control(1.5, dt, control).make();
     Watch watch;
     run.run([&](Scene const& scene, Step const& step) { watch.observe(scene, step); });
-    expectInBounds(name, run, watch, 0.3);
+    expectInBand(name, run, watch, {.height = 0.3, .energy = energy});
 }
 
 } // namespace
 
-// H10: the limits of the step twice and four times as wide as by default.
-TEST(ViolentFlow, standsStepsTwiceAsLong) { damBreak("dam break, dt x 2", "maxCo 0.5; maxPressureCo 0.5;", 4e-3, 0); }
-// Measured: one particle of 450 goes through a wall, and the run ends with exit code 7.
-TEST(ViolentFlow, DISABLED_standsStepsFourTimesAsLong) { damBreak("dam break, dt x 4", "maxCo 1; maxPressureCo 1;", 8e-3, 0); }
+// The case beside which the hard ones are to be seen: its energy never rises by more than 0.5 %.
+TEST(ViolentFlow, damBreaks) { damBreak("dam break", "", 2e-3, 0, 0.005); }
 
-// H17
-TEST(ViolentFlow, startsFromDisorder) { damBreak("dam break, jitter 0.3", "", 2e-3, 0.3); }
+// H10: the limits of the step twice and four times as wide as by default. Energy rises by 0.9 %.
+TEST(ViolentFlow, standsStepsTwiceAsLong) { damBreak("dam break, dt x 2", "maxCo 0.5; maxPressureCo 0.5;", 4e-3, 0, 0.02); }
+// Measured: one particle of 450 goes through a wall, and the run ends with exit code 7.
+TEST(ViolentFlow, DISABLED_standsStepsFourTimesAsLong) { damBreak("dam break, dt x 4", "maxCo 1; maxPressureCo 1;", 8e-3, 0, 0.02); }
+
+// H17. Energy rises by 0.6 %.
+TEST(ViolentFlow, startsFromDisorder) { damBreak("dam break, jitter 0.3", "", 2e-3, 0.3, 0.02); }
 
 // H7: single particles, a pair and a disc fly above the tank and fall into it. They have no row of eq 8, or a group of their own.
+// Energy rises by 1.9 %.
 TEST(ViolentFlow, clustersFlyAndFallBack)
 {
     RunCase run(0.02);
@@ -51,7 +47,7 @@ TEST(ViolentFlow, clustersFlyAndFallBack)
     run.control(1, 2e-3).make();
     Watch watch;
     run.run([&](Scene const& scene, Step const& step) { watch.observe(scene, step); });
-    expectInBounds("clusters in flight", run, watch, 0.6);
+    expectInBand("clusters in flight", run, watch, {.height = 0.6, .energy = 0.02});
 }
 
 // H13: full of water, disordered at the start, and shaken by nothing but its own noise.
@@ -65,6 +61,7 @@ TEST(ViolentFlow, fullBoxComesToRest)
     run.run([&](Scene const& scene, Step const& step) { watch.observe(scene, step); });
     expectBelow("full box, jitter 0.3: kinetic energy at 2 s [J]", kineticEnergy(run.scene()), 0.1);
     expectBelow("full box, jitter 0.3: largest speed [m/s]", watch.fastest, 2);
+    expectInBand("full box, jitter 0.3", run, watch, {.height = 0.5});
 }
 
 } // namespace mpsDem::test

@@ -1,5 +1,6 @@
 #include "support/RunCase.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -71,6 +72,13 @@ RunCase& RunCase::make(std::function<void(ParticleSet&)> const& change)
     InitialScene scene = makeInitialScene(definition);
     if (change) change(scene.particles);
     writeInitialFiles(folder, definition, scene, "", inputFingerprint(folder, "system/setParticlesDict"));
+    return *this;
+}
+
+RunCase& RunCase::copyFrom(RunCase const& other)
+{
+    std::filesystem::copy(other.root(), root(),
+                          std::filesystem::copy_options::recursive | std::filesystem::copy_options::overwrite_existing);
     return *this;
 }
 
@@ -172,14 +180,80 @@ Real potentialEnergy(Scene const& scene)
     return g * sum * scene.fluid()->fluid().density() * particles.lattice().particleVolume();
 }
 
-void Watch::observe(Scene const& scene, Step const&)
+void Watch::observe(Scene const& scene, Step const& step)
 {
     Real energy = kineticEnergy(scene) + potentialEnergy(scene);
     for (auto const& body : scene.bodies()) energy += body->kineticEnergy() + body->mass() * g * body->centre().y();
+    ContactModel const* const contacts = scene.solids() ? scene.solids()->contacts() : nullptr;
+    if (contacts)
+    {
+        energy += contacts->elasticEnergy();
+        Real const overlap = contacts->maxOverlap() / scene.particles().lattice().spacing;
+        deepest = std::max(deepest, overlap);
+        if (contacts->contactCount() > 0) overlaps_.push_back(overlap);
+    }
     if (start == 0) start = energy;
     lowest_ = std::min(lowest_, energy);
     rise = std::max(rise, energy - lowest_);
-    for (int const i : scene.particles().fluid()) fastest = std::max(fastest, scene.particles().u[i].norm());
+    if (step.dt < 0.5 * lastDt_) ++cuts;
+    lastDt_ = step.dt;
+    ++steps_;
+    if (!scene.fluid()) return;
+    observeFluid(scene);
+    observeMomentum(scene);
+}
+
+void Watch::observeFluid(Scene const& scene)
+{
+    constexpr int window = 25;
+    ParticleSet const& particles = scene.particles();
+    for (int const i : particles.fluid())
+    {
+        fastest = std::max(fastest, particles.u[i].norm());
+        if (particles.surface[i] == SurfaceLabel::Interior) deviations_.push_back(std::abs(particles.n[i] - 1));
+    }
+    particleSteps_ += particles.fluid().size();
+    limited_ = scene.fluid()->fluid().limited();
+    if (steps_ % window != 0) return;
+    worstDensity_ = std::max(worstDensity_, percentile(std::move(deviations_), 0.99));
+    deviations_.clear();
+}
+
+void Watch::observeMomentum(Scene const& scene)
+{
+    auto const& impulses = scene.ledger().impulses();
+    if (!impulses.contains("impulse/walls")) return;
+    ParticleSet const& particles = scene.particles();
+    Real const mass = scene.fluid()->fluid().density() * particles.lattice().particleVolume();
+    Vector balance = Vector::Zero();
+    for (int const i : particles.fluid()) balance += mass * particles.u[i];
+    for (auto const& body : scene.bodies()) balance += body->mass() * body->velocity();
+    for (auto const& [name, impulse] : impulses) balance -= impulse;
+    if (steps_ == 1) balance_ = balance;
+    residual = residual.cwiseMax((balance - balance_).cwiseAbs() / (mass * particles.fluid().size() * g));
+}
+
+Real Watch::overlap() const { return percentile(overlaps_, 0.99); }
+
+Real Watch::limited() const { return particleSteps_ > 0 ? static_cast<Real>(limited_) / static_cast<Real>(particleSteps_) : 0; }
+
+Real percentile(std::vector<Real> samples, Real q)
+{
+    if (samples.empty()) return 0;
+    auto const nth = samples.begin() + static_cast<std::ptrdiff_t>(q * static_cast<Real>(samples.size() - 1));
+    std::nth_element(samples.begin(), nth, samples.end());
+    return *nth;
+}
+
+void expectInBand(std::string const& name, RunCase const& run, Watch const& watch, Band const& band)
+{
+    expectBelow(name + ": rise of energy over that of the start", watch.rise / watch.start, band.energy);
+    expectBelow(name + ": largest speed over sqrt(2 g H)", watch.fastest / std::sqrt(2 * g * band.height), 3);
+    expectBelow(name + ": density deviation, p99", watch.densityDeviation(), band.density);
+    if (run.scene().solids()) expectBelow(name + ": overlap, p99 [spacings]", watch.overlap(), band.overlap);
+    expectBelow(name + ": steps cut to less than half", watch.cuts, 0);
+    expectBelow(name + ": limited displacements, share", watch.limited(), band.limited);
+    expectBelow(name + ": particles lost", static_cast<Real>(run.scene().fluid()->escaped()), 0);
 }
 
 void Jump::add(Vector const& value)
@@ -206,6 +280,12 @@ void expectBetween(std::string const& name, Real value, Real low, Real high)
     std::printf("%-48s %14.6g  bound %g .. %g\n", name.c_str(), value, low, high);
     EXPECT_GE(value, low) << name;
     EXPECT_LE(value, high) << name;
+}
+
+void expectMomentum(std::string const& name, Watch const& watch)
+{
+    EXPECT_GT(watch.residual.norm(), 0) << "no momentumBudget in controlDict";
+    expectBelow(name + ": momentum residual over weight x 1 s", watch.residual.norm(), 0.02);
 }
 
 } // namespace mpsDem::test

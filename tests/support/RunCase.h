@@ -33,6 +33,8 @@ public:
 
     /// setParticles. @param change  May alter positions, velocities and pressures of the fluid before they are saved.
     RunCase& make(std::function<void(ParticleSet&)> const& change = {});
+    /// Takes over dictionaries, initial state and checkpoints of another case.
+    RunCase& copyFrom(RunCase const& other);
 
     using EachStep = std::function<void(Scene const&, Step const&)>;
     /// mpsDemFoam, to the end. @param eachStep  Called after each step.
@@ -100,7 +102,9 @@ Real kineticEnergy(Scene const& scene);
 /// Energy of the fluid against gravity (0 -9.81 0), zero at y = 0 [J].
 Real potentialEnergy(Scene const& scene);
 
-/// What must stay in bounds however violent a flow is: energy of fluid and bodies (kinetic, potential above y = 0), and speed of the fluid.
+/// What must stay in bounds however violent a flow is; each figure over all steps that were observed.
+///
+/// Energy: kinetic, potential above y = 0, of fluid and bodies, and that in the springs of contacts.
 class Watch
 {
 public:
@@ -109,10 +113,47 @@ public:
     Real start = 0;   ///< Energy after the first step [J].
     Real fastest = 0; ///< Largest speed of a fluid particle [m/s].
     Real rise = 0;    ///< Largest rise of the energy above its lowest value before [J].
+    Real deepest = 0; ///< Largest overlap of a contact at the end of a step [spacings].
+    /// Largest |P - J - (P - J at first)| by component, over weight of water x 1 s, as momentumBudget; 0 where the case has none.
+    Vector residual = Vector::Zero();
+    int cuts = 0; ///< Steps shorter than half of the one before.
+
+    /// 99th percentile of |n - n0|/n0 of particles inside the fluid, worst of all windows of 25 steps.
+    [[nodiscard]] Real densityDeviation() const { return worstDensity_; }
+    /// 99th percentile in time of the largest overlap, steps without contact not counted [spacings].
+    [[nodiscard]] Real overlap() const;
+    /// Share of particle-steps at which the pressure displacement was limited.
+    [[nodiscard]] Real limited() const;
 
 private:
-    Real lowest_ = 1e300;
+    void observeFluid(Scene const& scene);
+    void observeMomentum(Scene const& scene);
+
+    Real lowest_ = 1e300, lastDt_ = 0, worstDensity_ = 0;
+    int steps_ = 0;
+    std::int64_t particleSteps_ = 0, limited_ = 0;
+    Vector balance_ = Vector::Zero();
+    std::vector<Real> deviations_; ///< Of this window of steps.
+    std::vector<Real> overlaps_;
 };
+
+/// Value below which a share q of the samples lies; 0 where there is none.
+Real percentile(std::vector<Real> samples, Real q);
+
+/// Bounds of a case that must stay in band to its end.
+struct Band
+{
+    Real height;         ///< H of the speed sqrt(2 g H) [m].
+    Real energy = 0.005; ///< Rise of the energy over that of the start.
+    Real density = 0.3;  ///< 99th percentile of the density deviation: at a deficit of 0.3 a particle is on the surface.
+    Real overlap = 0.01; ///< 99th percentile of the overlap [spacings].
+    Real limited = 1e-3; ///< Share of limited displacements.
+};
+
+/// Expects energy, speed, density, overlap and limited displacements in the band, no step cut and no particle lost.
+void expectInBand(std::string const& name, RunCase const& run, Watch const& watch, Band const& band);
+/// Expects that momentum of water and bodies changes by the impulses from outside, to 2 % of the weight of the water in 1 s.
+void expectMomentum(std::string const& name, Watch const& watch);
 
 /// A step-to-step measure of noise: root mean square of the change of a vector.
 class Jump

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "support/FunctionObjectScene.h"
+#include "support/ProgramRun.h"
 
 namespace mpsDem {
 namespace {
@@ -70,6 +71,35 @@ TEST(FunctionObjectsBudget, StartSurvivesARestart)
     resumed->load(state);
     resumed->write({1, 0.5, 0.1, false});
     EXPECT_NEAR(scene.table("watch/0/energy.dat").column("change")[0], 2 * waterMass, 1e-5);
+}
+
+TEST(FunctionObjectsBudget, MomentumSumsBeginAtTheRestartThatAddsThem)
+{
+    FunctionObjectScene scene({2, 0.1, 1});
+    fill(scene);
+    Vector& gravity = scene.ledger.impulse("impulse/gravityOnFluid");
+    for (int i : scene.particles.fluid()) scene.particles.u[i] = {0, -1, 0};
+    gravity = waterMass * Vector(0, -3, 0); // of the time before; the walls took up two thirds, but nobody summed that
+    RunContext const context = scene.context(0.3);
+    auto const added = makeFunctionObject("type momentumBudget;", context);
+    added->load(State());
+    for (int i : scene.particles.fluid()) scene.particles.u[i] = {0, -2, 0};
+    gravity += waterMass * Vector(0, -1, 0);
+    added->write({4, 0.4, 0.1, false});
+    Table const table = scene.table("watch/0.3/momentum.dat");
+    EXPECT_NEAR(table.column("gravityOnFluidy")[0], -waterMass, 1e-6);
+    EXPECT_NEAR(table.column("share")[0], 0, 1e-12);
+    EXPECT_NE(test::contentOf(scene.folder / "postProcessing/watch/0.3/momentum.dat").find("since t = 0.3 s"), std::string::npos);
+
+    // The next restart goes on from there.
+    State state;
+    added->save(state);
+    RunContext const later = scene.context(0.4);
+    auto const resumed = makeFunctionObject("type momentumBudget;", later);
+    resumed->load(state);
+    resumed->write({5, 0.5, 0.1, false});
+    EXPECT_NEAR(scene.table("watch/0.4/momentum.dat").column("gravityOnFluidy")[0], -waterMass, 1e-6);
+    EXPECT_NE(test::contentOf(scene.folder / "postProcessing/watch/0.4/momentum.dat").find("since t = 0.3 s"), std::string::npos);
 }
 
 TEST(FunctionObjectsBudget, ExtremesNameTheirParticle)

@@ -46,19 +46,39 @@ Real largestDifference(std::vector<Real> const& a, std::vector<Real> const& b)
     return most;
 }
 
-/// b = A x for a given x, so that the error of a solution is known.
-std::vector<Real> imageOf(SparseMatrix const& a, std::vector<Real> const& x)
-{
-    std::vector<Real> b(x.size());
-    multiply(a, x, b);
-    return b;
-}
-
 std::vector<Real> wave(int rows)
 {
     std::vector<Real> x(static_cast<std::size_t>(rows));
     for (int i = 0; i < rows; ++i) x[i] = std::sin(0.37 * i) + 0.01 * i / rows;
     return x;
+}
+
+/// The equation of a tank whose solution is known: b = A x for the wave x.
+struct Problem
+{
+    explicit Problem(int rows, int dimensions = 2, bool pinned = true)
+    {
+        test::MovingTank tank(dimensions, rows, 2.1);
+        tank.assemble(a, b, 0.1, pinned);
+        exact = wave(a.rows);
+        multiply(a, exact, b);
+    }
+
+    SparseMatrix a;
+    std::vector<Real> b, exact;
+};
+
+/// Calls check(solver) for every choice, with the matrix set.
+template <class Check>
+void forEachChoice(SparseMatrix const& a, int dimensions, Check const& check)
+{
+    for (Choice const& choice : choices)
+    {
+        SCOPED_TRACE(name(choice) + ", rows " + std::to_string(a.rows));
+        auto const solver = make(choice, dimensions);
+        solver->setMatrix(a, true);
+        check(*solver);
+    }
 }
 
 TEST(LinearSolver, allFindTheSameSolutionAndMeetTheTrueResidual)
@@ -67,56 +87,37 @@ TEST(LinearSolver, allFindTheSameSolutionAndMeetTheTrueResidual)
     {
         for (int const rows : {64, 1000, 4000})
         {
-            test::MovingTank tank(dimensions, rows, 2.1);
-            SparseMatrix a;
-            std::vector<Real> b;
-            tank.assemble(a, b);
-            std::vector<Real> const exact = wave(a.rows);
-            b = imageOf(a, exact);
-            for (Choice const& choice : choices)
-            {
-                SCOPED_TRACE(name(choice) + ", rows " + std::to_string(a.rows));
-                auto const solver = make(choice, dimensions);
-                solver->setMatrix(a, true);
-                std::vector<Real> x(b.size(), 0);
-                SolveReport const report = solver->solve(b, x, 1e-10);
+            Problem const problem(rows, dimensions);
+            forEachChoice(problem.a, dimensions, [&](LinearSolver& solver) {
+                std::vector<Real> x(problem.b.size(), 0);
+                SolveReport const report = solver.solve(problem.b, x, 1e-10);
                 EXPECT_TRUE(report.converged);
                 EXPECT_NEAR(report.initialResidual, 1, 1e-12);
-                EXPECT_LE(relativeResidual(a, b, x), 1.02e-10);
-                EXPECT_NEAR(report.finalResidual, relativeResidual(a, b, x), 1e-13);
-                EXPECT_LT(largestDifference(x, exact), 1e-6);
-            }
+                EXPECT_LE(relativeResidual(problem.a, problem.b, x), 1.02e-10);
+                EXPECT_NEAR(report.finalResidual, relativeResidual(problem.a, problem.b, x), 1e-13);
+                EXPECT_LT(largestDifference(x, problem.exact), 1e-6);
+            });
         }
     }
 }
 
 TEST(LinearSolver, aGoodGuessNeedsNoIteration)
 {
-    test::MovingTank tank(2, 400, 2.1);
-    SparseMatrix a;
-    std::vector<Real> b;
-    tank.assemble(a, b);
-    std::vector<Real> const exact = wave(a.rows);
-    b = imageOf(a, exact);
-    for (Choice const& choice : choices)
-    {
-        SCOPED_TRACE(name(choice));
-        auto const solver = make(choice);
-        solver->setMatrix(a, true);
-        std::vector<Real> x = exact;
-        SolveReport const report = solver->solve(b, x, 1e-8);
+    Problem const problem(400);
+    forEachChoice(problem.a, 2, [&](LinearSolver& solver) {
+        std::vector<Real> x = problem.exact;
+        SolveReport const report = solver.solve(problem.b, x, 1e-8);
         EXPECT_TRUE(report.converged);
         EXPECT_EQ(report.iterations, 0);
-        EXPECT_LT(largestDifference(x, exact), 1e-12);
-    }
+        EXPECT_LT(largestDifference(x, problem.exact), 1e-12);
+    });
 }
 
 TEST(LinearSolver, identityRowsAndIsolatedRowsKeepTheirValue)
 {
-    test::MovingTank tank(2, 400, 2.1);
-    SparseMatrix a;
-    std::vector<Real> b;
-    tank.assemble(a, b);
+    Problem const problem(400);
+    SparseMatrix const& a = problem.a;
+    std::vector<Real> b = problem.b;
     // Every seventh row is made an identity row; its couplings vanish on both sides.
     SparseMatrix pinned;
     pinned.rows = a.rows;
@@ -134,56 +135,33 @@ TEST(LinearSolver, identityRowsAndIsolatedRowsKeepTheirValue)
         pinned.rowStart.push_back(static_cast<int>(pinned.column.size()));
         if (known(i)) b[i] = 0.5 * i;
     }
-    for (Choice const& choice : choices)
-    {
-        SCOPED_TRACE(name(choice));
-        auto const solver = make(choice);
-        solver->setMatrix(pinned, true);
+    forEachChoice(pinned, 2, [&](LinearSolver& solver) {
         std::vector<Real> x(b.size(), 0);
-        EXPECT_TRUE(solver->solve(b, x, 1e-10).converged);
-        for (int i = 0; i < a.rows; ++i)
-        {
-            if (known(i))
-            {
-                EXPECT_NEAR(x[i], b[i], 1e-7);
-            }
-        }
-    }
+        EXPECT_TRUE(solver.solve(b, x, 1e-10).converged);
+        for (int i = 3; i < a.rows; i += 7) EXPECT_NEAR(x[i], b[i], 1e-7);
+    });
 }
 
 TEST(LinearSolver, aClosedBoxHasASolutionUpToAConstant)
 {
-    test::MovingTank tank(2, 900, 2.1);
-    SparseMatrix a;
-    std::vector<Real> b;
-    tank.assemble(a, b, 0.1, false);
-    std::vector<Real> const exact = wave(a.rows);
-    b = imageOf(a, exact); // compatible: it sums to zero
-    for (Choice const& choice : choices)
-    {
-        SCOPED_TRACE(name(choice));
-        auto const solver = make(choice);
-        solver->setMatrix(a, true);
-        std::vector<Real> x(b.size(), 0);
-        SolveReport const report = solver->solve(b, x, 1e-8);
-        EXPECT_TRUE(report.converged);
+    Problem const problem(900, 2, false); // b is compatible: it sums to zero
+    forEachChoice(problem.a, 2, [&](LinearSolver& solver) {
+        std::vector<Real> x(problem.b.size(), 0);
+        EXPECT_TRUE(solver.solve(problem.b, x, 1e-8).converged);
         Real shift = 0;
-        for (std::size_t i = 0; i < x.size(); ++i) shift += (x[i] - exact[i]) / static_cast<Real>(x.size());
+        for (std::size_t i = 0; i < x.size(); ++i) shift += (x[i] - problem.exact[i]) / static_cast<Real>(x.size());
         for (Real& value : x) value -= shift;
-        EXPECT_LT(largestDifference(x, exact), 1e-5);
-    }
+        EXPECT_LT(largestDifference(x, problem.exact), 1e-5);
+    });
 }
 
 TEST(LinearSolver, zeroRightHandSideGivesZero)
 {
-    test::MovingTank tank(2, 400, 2.1);
-    SparseMatrix a;
-    std::vector<Real> b;
-    tank.assemble(a, b);
-    std::fill(b.begin(), b.end(), 0);
+    Problem const problem(400);
+    std::vector<Real> const b(problem.b.size(), 0);
     auto const solver = make({"PCG", "IC", "auto"});
-    solver->setMatrix(a, true);
-    std::vector<Real> x = wave(a.rows);
+    solver->setMatrix(problem.a, true);
+    std::vector<Real> x = problem.exact;
     EXPECT_TRUE(solver->solve(b, x, 1e-9).converged);
     EXPECT_LT(norm(x), 1e-6);
 }

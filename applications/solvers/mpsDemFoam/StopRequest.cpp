@@ -9,11 +9,17 @@ namespace mpsDem {
 
 namespace {
 
-std::sig_atomic_t volatile writeAsked = 0;
-std::sig_atomic_t volatile stopAsked = 0;
+std::sig_atomic_t volatile writeSignal = 0; // the number of the signal, 0: none
+std::sig_atomic_t volatile stopSignal = 0;
 
-extern "C" void askWrite(int) { writeAsked = 1; }
-extern "C" void askStop(int) { stopAsked = 1; }
+extern "C" void askWrite(int number) { writeSignal = number; }
+extern "C" void askStop(int number) { stopSignal = number; }
+
+std::string signalName(int number)
+{
+    char const* const name = number == SIGUSR1 ? "USR1" : number == SIGUSR2 ? "USR2" : number == SIGTERM ? "TERM" : "INT";
+    return std::string("signal ") + name;
+}
 
 } // namespace
 
@@ -27,17 +33,18 @@ StopRequest::StopRequest(std::filesystem::path caseRoot) : root_(std::move(caseR
 
 void StopRequest::serve(Scene& scene, double clockSeconds)
 {
-    if (std::filesystem::remove(root_ / "stop")) stopAsked = 1;
-    Real const budget = scene.time().maxClockTime();
-    if (budget > 0 && clockSeconds > budget) stopAsked = 1;
-    rereadControl(scene);
-    if (writeAsked)
+    if (writeSignal)
     {
-        writeAsked = 0;
         scene.writeFields();
-        scene.askCheckpoint();
+        scene.askCheckpoint(signalName(writeSignal));
+        writeSignal = 0;
     }
-    if (stopAsked || scene.time().stopAsked()) scene.askStop();
+    if (stopSignal) scene.askStop(signalName(stopSignal));
+    if (std::filesystem::remove(root_ / "stop")) scene.askStop("the file stop");
+    Real const budget = scene.time().maxClockTime();
+    if (budget > 0 && clockSeconds > budget) scene.askStop("maxClockTime");
+    rereadControl(scene);
+    if (scene.time().stopAsked()) scene.askStop("stopAt writeNow");
     scene.serveCheckpoint();
 }
 

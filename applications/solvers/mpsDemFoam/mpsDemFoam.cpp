@@ -59,7 +59,10 @@ int run(CommandLine const& line)
         progress.show(scene.time().time());
     }
     progress.end();
-    if (!scene.time().stopping()) scene.writeEnd();
+    if (scene.time().stopping())
+        scene.logStop();
+    else
+        scene.writeEnd();
     scene.logEnd(secondsSince(loopBegin));
     info() << "End\n" << std::endl;
     return static_cast<int>(scene.time().stopping() ? ExitCode::Stopped : ExitCode::Done);

@@ -19,7 +19,8 @@ struct ReadOptions
     std::vector<std::string>* warnings = nullptr; ///< Takes what `lenient` let pass; may be null.
 };
 
-/// Folder of the installation that holds caseDicts, for #includeEtc: the environment's MPSDEM_ETC, else that of the build; may be empty.
+/// Folder of the installation that holds caseDicts, for #includeEtc: the environment's MPSDEM_ETC, else ../share/mpsDem/etc seen from the
+/// folder of this library (an installed prefix, wherever it lies), else that of the source tree; may be empty.
 std::filesystem::path etcFolder();
 
 /// Reads one case file with its includes into a tree of entries: the parser, the directives (#...) and the macros ($...).

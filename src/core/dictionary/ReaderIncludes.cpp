@@ -2,6 +2,8 @@
 #include <cstdlib>
 #include <fstream>
 
+#include <dlfcn.h>
+
 #include "core/dictionary/Reader.h"
 
 #ifndef MPSDEM_ETC
@@ -40,7 +42,16 @@ std::string chain(std::vector<fs::path> const& files, fs::path const& last)
 fs::path etcFolder()
 {
     char const* const set = std::getenv("MPSDEM_ETC");
-    return set && *set != '\0' ? fs::path(set) : fs::path(MPSDEM_ETC);
+    if (set && *set != '\0') return set;
+    Dl_info self{};
+    std::error_code error;
+    if (dladdr(reinterpret_cast<void const*>(&etcFolder), &self) != 0 && self.dli_fname)
+    {
+        fs::path const library = fs::canonical(self.dli_fname, error);
+        fs::path const installed = library.parent_path().parent_path() / "share" / "mpsDem" / "etc";
+        if (!error && fs::is_directory(installed / "caseDicts", error)) return installed;
+    }
+    return MPSDEM_ETC;
 }
 
 /// The file as the user would name it: relative to the case where it lies beneath it.
