@@ -1,6 +1,6 @@
 """Particles of a case in ParaView: round particles coloured by a field, bodies as surfaces, a picture or a film.
 
-    pvpython particles.py -case dir [-field U] [-time 0.5] [-png picture.png] [-film frames.png]
+    pvpython particles.py --case dir [--field U] [--time 0.5] [--png picture.png] [--film frames.png]
 
 or inside ParaView (Tools > Python Shell > Run Script) with the working folder in the case; everything then stays on the screen to go on with.
 The calls are those of ParaView 5.10 and 5.11 (paraview.simple). pvpython needs a display or an offscreen build of ParaView:
@@ -36,16 +36,16 @@ FLUID = 0  # values of the array `type`: 0 fluid, 1 wall, 2 wall row labelled gh
 
 def read_arguments(words):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("-case", default=".", help="folder of the case (default: the present one)")
-    parser.add_argument("-field", default="p", help="array that gives the colour: p U n type surface id (default p)")
-    parser.add_argument("-range", nargs=2, type=float, metavar=("LOW", "HIGH"), help="of the colours (default: values at that time)")
-    parser.add_argument("-spacing", type=float, help="particle spacing [m] (default: constant/particleProperties)")
-    parser.add_argument("-show", default="fluid", choices=["fluid", "all"], help="fluid (default), or wall and ghost particles too")
-    parser.add_argument("-time", type=float, help="time [s] (default: the last one)")
-    parser.add_argument("-size", nargs=2, type=int, default=[1600, 800], metavar=("WIDTH", "HEIGHT"), help="pixels (default 1600 800)")
-    parser.add_argument("-png", help="write a picture of this time")
-    parser.add_argument("-film", help="write all times: frames.png gives numbered pictures, film.avi a film")
-    # ParaView's shell may carry words of its own: what is not known is left alone.
+    parser.add_argument("-case", "--case", default=".", help="folder of the case (default: the present one)")
+    parser.add_argument("-field", "--field", default="p", help="array that gives the colour: p U n type surface id (default p)")
+    parser.add_argument("-range", "--range", nargs=2, type=float, metavar=("LOW", "HIGH"), help="of the colours (default: values at that time)")
+    parser.add_argument("-spacing", "--spacing", type=float, help="particle spacing [m] (default: constant/particleProperties)")
+    parser.add_argument("-show", "--show", default="fluid", choices=["fluid", "all"], help="fluid (default), or wall and ghost particles too")
+    parser.add_argument("-time", "--time", type=float, help="time [s] (default: the last one)")
+    parser.add_argument("-size", "--size", nargs=2, type=int, default=[1600, 800], metavar=("WIDTH", "HEIGHT"), help="pixels (default 1600 800)")
+    parser.add_argument("-png", "--png", help="write a picture of this time")
+    parser.add_argument("-film", "--film", help="write all times: frames.png gives numbered pictures, film.avi a film")
+    # pvpython hands -case on as --case. ParaView's shell may carry words of its own: what is not known is left alone.
     return parser.parse_known_args(words)[0]
 
 
@@ -103,7 +103,7 @@ def show_bodies(case, view):
     for name in body_names(case):
         display = Show(open_series(case, name), view)
         display.SetRepresentationType("Surface With Edges")
-        ColorBy(display, None)
+        display.ColorArrayName = [None, ""]
         display.DiffuseColor = display.AmbientColor = [0.75, 0.75, 0.75]
         display.EdgeColor = [0.0, 0.0, 0.0]
 
@@ -126,7 +126,7 @@ def main(words):
     view.Background = [1.0, 1.0, 1.0]
     show_particles(source, view, options, spacing, time)
     show_bodies(options.case, view)
-    view.ResetCamera(True)
+    view.ResetCamera(True, 0.95)
     Render(view)
     if options.png:
         SaveScreenshot(options.png, view, ImageResolution=options.size)

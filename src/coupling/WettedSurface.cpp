@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parallel/Reduce.h"
 #include "particles/Kernel.h"
 
 namespace mpsDem {
@@ -142,7 +143,7 @@ Load WettedSurface::integrate(Vector const& centre) const
 {
     Load load;
     for (std::size_t s = 0; s < position_.size(); ++s) load.add(-pressure_[s] * area_[s] * normal_[s], position_[s] - centre);
-    return load;
+    return {sumOverRanks(load.force), sumOverRanks(load.moment)};
 }
 
 } // namespace mpsDem

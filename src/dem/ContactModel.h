@@ -89,6 +89,8 @@ private:
     std::vector<ContactMaterial> materials_;    ///< Of each pair.
     std::vector<Latch> latches_;
     std::vector<BodyContactSums> sums_;
+    mutable std::vector<Matrix6> stiffness_; ///< Scratch of subSteps(), one a body; so is movable_.
+    mutable std::vector<char> movable_;
     ContactDissipation dissipation_;
 };
 

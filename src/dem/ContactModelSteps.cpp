@@ -33,23 +33,23 @@ Real ContactModel::speed(RigidBody const& body, std::size_t index) const
 
 int ContactModel::subSteps(std::span<RigidBody* const> bodies, Real dt) const
 {
-    std::vector<Matrix6> stiffness(bodies.size(), Matrix6::Zero());
-    std::vector<char> movable;
-    for (RigidBody const* body : bodies) movable.push_back(!immovable(*body));
+    stiffness_.assign(bodies.size(), Matrix6::Zero());
+    movable_.clear();
+    for (RigidBody const* body : bodies) movable_.push_back(!immovable(*body));
     Real fastest = 0;
     for (ContactPair const& pair : pairs_)
     {
         std::size_t const a = pair.parts().body;
         int const b = pair.parts().other;
-        if (!movable[a] && (b < 0 || !movable[static_cast<std::size_t>(b)])) continue;
+        if (!movable_[a] && (b < 0 || !movable_[static_cast<std::size_t>(b)])) continue;
         Real v = speed(*bodies[a], a);
         if (b >= 0) v += speed(*bodies[static_cast<std::size_t>(b)], static_cast<std::size_t>(b));
         Real const fall = 9.81 * dt * dt;
-        if (pair.addStiffness(bodies, mayTouch + v * dt + fall, stiffness)) fastest = std::max(fastest, v);
+        if (pair.addStiffness(bodies, mayTouch + v * dt + fall, stiffness_)) fastest = std::max(fastest, v);
     }
     Real omega = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i)
-        if (movable[i] && stiffness[i].squaredNorm() > 0) omega = std::max(omega, eigenfrequency(*bodies[i], stiffness[i]));
+        if (movable_[i] && stiffness_[i].squaredNorm() > 0) omega = std::max(omega, eigenfrequency(*bodies[i], stiffness_[i]));
     Real const byContact = dt * omega * collisionResolutionSteps_ / std::numbers::pi;
     Real const count = std::ceil(std::max({Real(1), byContact, dt * fastest / (mostTravel * spacing_)}));
     if (count <= mostSubSteps) return static_cast<int>(count);

@@ -1,5 +1,7 @@
 #include "fluid/Collision.h"
 
+#include "parallel/Reduce.h"
+
 namespace mpsDem {
 
 std::unique_ptr<Collision> Collision::read(Dictionary const& dict, SchemeSet set, Lattice const& lattice, Real density, Ledger& ledger)
@@ -22,6 +24,7 @@ Collision::Collision(Dictionary const& dict, SchemeSet set, Lattice const& latti
 
 void Collision::apply(ParticleSet& particles, NeighbourList const& neighbours, Real dt)
 {
+    change_.reserve(particles.r.capacity()); // the halo grows now and then
     change_.assign(particles.r.size(), Vector::Zero());
     Real const widest = std::max(distance_, surfaceDistance_);
     auto const atSurface = [&](int i) { return particles.surface[i] != SurfaceLabel::Interior; };
@@ -41,13 +44,15 @@ void Collision::apply(ParticleSet& particles, NeighbourList const& neighbours, R
             change_[i] -= (1 + restitution_) * (wall ? 1.0 : 0.5) * approach / (r2 + tiny) * rij;
         }
     }
+    Real gained = 0;
     for (int i : particles.fluid())
     {
         Vector const du = change_[i];
-        dissipated_ -= particleMass_ * du.dot(particles.u[i] + 0.5 * du);
+        gained += particleMass_ * du.dot(particles.u[i] + 0.5 * du);
         particles.u[i] += du;
         particles.r[i] += dt * du;
     }
+    dissipated_ -= sumOverRanks(gained);
 }
 
 } // namespace mpsDem

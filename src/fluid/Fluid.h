@@ -8,6 +8,7 @@
 #include "fluid/Shifting.h"
 #include "fluid/SurfaceDamping.h"
 #include "fluid/Viscosity.h"
+#include "parallel/Reduce.h"
 #include "particles/Gradient.h"
 
 namespace mpsDem {
@@ -56,9 +57,9 @@ public:
     /// Particle collision, where the case has it.
     void collide(ParticleSet& particles, NeighbourList const& neighbours, Real dt);
 
-    /// Times that the displacement limit was needed, since the start of this run and in the last step.
-    [[nodiscard]] std::int64_t limited() const { return limited_; }
-    [[nodiscard]] int limitedNow() const { return limitedNow_; }
+    /// Times that the displacement limit was needed, since the start of this run and in the last step, over all ranks.
+    [[nodiscard]] std::int64_t limited() const { return sumOverRanks(limited_); }
+    [[nodiscard]] int limitedNow() const { return sumOverRanks(limitedNow_); }
 
 private:
     ReferenceConstants gradientConstants_, laplacianConstants_;
@@ -72,7 +73,7 @@ private:
     std::unique_ptr<SurfaceDamping> surfaceDamping_;
     Real displacementLimit_; ///< [m]; 0: none.
     NegativePressure negativePressure_;
-    std::int64_t limited_ = 0;
+    std::int64_t limited_ = 0; ///< Of this rank, as the next one.
     int limitedNow_ = 0;
     Field<Vector> pressureGradient_;
 };

@@ -53,6 +53,7 @@ Shifting::Kind Shifting::kindOf(ParticleSet const& particles, int i) const
 
 Field<Vector>& Shifting::propose(ParticleSet const& particles, NeighbourList const& neighbours, Real dt)
 {
+    proposed_.reserve(particles.r.capacity());
     proposed_.assign(particles.r.size(), Vector::Zero());
     for (int i : particles.fluid())
     {

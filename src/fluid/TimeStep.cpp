@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parallel/Reduce.h"
+
 namespace mpsDem {
 
 namespace {
@@ -25,12 +27,12 @@ TimeStep::TimeStep(Dictionary const& dict, Lattice const& lattice)
 Real TimeStep::next(ParticleSet const& particles, Real density, Real last, Real bodySpeed, Real viscousDt) const
 {
     if (!adjustable_) return deltaT_;
-    Real speed2 = bodySpeed * bodySpeed;
-    for (int i : particles.fluid()) speed2 = std::max(speed2, particles.u[i].squaredNorm());
+    // What is no number stops the run where the step begins (FluidStage), with the name of the particle.
+    Real const speed2 = maxOver(particles.fluid(), bodySpeed * bodySpeed, [&](int i) { return particles.u[i].squaredNorm(); }).value;
     Real const l0 = lattice_.spacing;
     Real dt = std::min({maxDeltaT_, viscousDt, largestGrowth * last});
     if (speed2 > 0) dt = std::min(dt, maxCo_ * l0 / std::sqrt(speed2));
-    Real const p = particles.fluid().size() > 0 ? pressurePercentile(particles) : 0;
+    Real const p = pressurePercentile(particles);
     if (p > 0) dt = std::min(dt, maxPressureCo_ * l0 / std::sqrt(p / density));
     return dt;
 }
@@ -39,21 +41,15 @@ Real TimeStep::pressurePercentile(ParticleSet const& particles) const
 {
     Range const fluid = particles.fluid();
     work_.assign(particles.p.begin() + fluid.first, particles.p.begin() + fluid.last);
-    auto const nth = work_.begin() + static_cast<std::ptrdiff_t>(percentile * static_cast<Real>(work_.size() - 1));
-    std::nth_element(work_.begin(), nth, work_.end());
-    return *nth;
+    return quantileOverRanks(work_, percentile);
 }
 
 TimeStep::Courant TimeStep::courant(ParticleSet const& particles, Real dt) const
 {
     Courant result;
-    for (int i : particles.fluid())
-    {
-        Real const c = particles.u[i].norm() * dt / lattice_.spacing;
-        result.mean += c;
-        result.max = std::max(result.max, c);
-    }
-    result.mean /= std::max(1, particles.fluid().size());
+    auto const number = [&](int i) { return particles.u[i].norm() * dt / lattice_.spacing; };
+    result.mean = sumOver(particles.fluid(), Real(0), number) / std::max(1, sumOverRanks(particles.fluid().size()));
+    result.max = maxOver(particles.fluid(), 0, number).value;
     return result;
 }
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
+#include "fluid/VelocitySystem.h"
 
 namespace mpsDem {
 
@@ -45,6 +44,7 @@ void inverseMoments(ParticleSet const& particles, NeighbourList const& neighbour
                     ReferenceConstants const& laplacian, Field<Tensor>& inverse)
 {
     Real const lattice = laplacian.n0 * laplacian.lambda / d;
+    inverse.reserve(particles.r.capacity());
     inverse.assign(particles.r.size(), Tensor::Identity());
     for (int i : particles.fluid())
     {
@@ -125,21 +125,20 @@ private:
     Moments moments_;
 };
 
-/// (1 - dt nu lap) u* = u + dt g, one system for all components, conjugate gradients of Eigen.
+/// (1 - dt nu lap) u* = u + dt g, one system for all components.
 class Implicit final : public Viscosity
 {
 public:
-    Implicit(Real nu, bool noSlip, Real tolerance) : nu_(nu), noSlip_(noSlip) { solver_.setTolerance(tolerance); }
+    Implicit(Real nu, bool noSlip, Real tolerance) : nu_(nu), noSlip_(noSlip), tolerance_(tolerance) {}
 
     void addTo(ParticleSet& particles, NeighbourList const& neighbours, PeriodicImages const& images, ReferenceConstants const& laplacian,
                Real dt) override
     {
         moments_.update(particles, neighbours, images, laplacian);
         assemble(particles, neighbours, dt * nu_ * laplacian.laplacianFactor(particles.lattice().dimensions));
-        solver_.compute(matrix_);
-        Eigen::MatrixXd const solution = solver_.solveWithGuess(right_, guess_);
+        system_.solve(tolerance_);
         int const first = particles.fluid().first;
-        for (int i : particles.fluid()) particles.uStar[i] = solution.row(i - first).transpose();
+        for (int i : particles.fluid()) particles.uStar[i] = system_.solution(i - first);
     }
 
     [[nodiscard]] Real largestStableDt() const override { return std::numeric_limits<Real>::infinity(); }
@@ -148,11 +147,9 @@ public:
 private:
     void assemble(ParticleSet const& particles, NeighbourList const& neighbours, Real factor)
     {
-        int const first = particles.fluid().first, count = particles.fluid().size();
+        int const first = particles.fluid().first;
         Real const* const w = neighbours.laplacianWeight();
-        right_.resize(count, 3);
-        guess_.resize(count, 3);
-        entries_.clear();
+        system_.begin(particles.fluid().size());
         for (int i : particles.fluid())
         {
             Real const distance = noSlip_ ? wallDistance(particles, neighbours, i) : 0;
@@ -167,25 +164,19 @@ private:
                 Real const a = factor * w[k] * pair;
                 diagonal += a;
                 if (fluid && particles.fluid().contains(j))
-                    entries_.emplace_back(i - first, j - first, -a);
+                    system_.add(j - first, -a);
                 else
                     right += a * particles.u[j];
             }
-            entries_.emplace_back(i - first, i - first, diagonal);
-            right_.row(i - first) = right.transpose();
-            guess_.row(i - first) = particles.u[i].transpose();
+            system_.endRow(diagonal, right, particles.u[i]);
         }
-        matrix_.resize(count, count);
-        matrix_.setFromTriplets(entries_.begin(), entries_.end());
     }
 
     Real nu_;
     bool noSlip_;
+    Real tolerance_;
     Moments moments_;
-    std::vector<Eigen::Triplet<Real>> entries_;
-    Eigen::SparseMatrix<Real> matrix_;
-    Eigen::MatrixXd right_, guess_;
-    Eigen::ConjugateGradient<Eigen::SparseMatrix<Real>, Eigen::Lower | Eigen::Upper> solver_;
+    VelocitySystem system_;
 };
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "functionObjects/Observed.h"
+#include "parallel/Reduce.h"
 
 namespace mpsDem {
 
@@ -34,12 +35,10 @@ std::vector<Real> EnergyBudget::parts() const
     if (particles.fluid().size() > 0)
     {
         Real const mass = context_.density * particles.lattice().particleVolume();
-        Real kinetic = 0, potential = 0;
-        for (int i : particles.fluid())
-        {
-            kinetic += 0.5 * mass * particles.u[i].squaredNorm();
-            potential -= mass * context_.gravity.dot(particles.r[i]);
-        }
+        auto const kineticOf = [&](int i) { return 0.5 * mass * particles.u[i].squaredNorm(); };
+        auto const potentialOf = [&](int i) { return -(mass * context_.gravity.dot(particles.r[i])); };
+        Real const kinetic = sumOver(particles.fluid(), Real(0), kineticOf);
+        Real const potential = sumOver(particles.fluid(), Real(0), potentialOf);
         values = {kinetic, potential};
     }
     if (!context_.bodies.empty())

@@ -5,6 +5,7 @@
 
 #include "core/Errors.h"
 #include "functionObjects/Observed.h"
+#include "parallel/Reduce.h"
 
 namespace mpsDem {
 
@@ -62,14 +63,11 @@ void FieldMinMax::write(Step const& step)
     {
         for (Real const sign : {-1.0, 1.0})
         {
-            int best = particles.fluid().first;
-            for (int i : particles.fluid())
-            {
-                Real const gain = sign * (value(field, i) - value(field, best));
-                if (gain > 0 || (gain == 0 && particles.id[i] < particles.id[best])) best = i;
-            }
-            row.insert(row.end(), {value(field, best), static_cast<Real>(particles.id[best])});
-            addVector(row, particles.r[best]);
+            Place best;
+            for (int i : particles.fluid()) best = largerOf(best, {sign * value(field, i), particles.id[i], particles.r[i]});
+            best = maxOverRanks(best);
+            row.insert(row.end(), {sign * best.value, static_cast<Real>(best.id)});
+            addVector(row, best.position);
         }
     }
     table_.add(step.time, row);

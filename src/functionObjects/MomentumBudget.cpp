@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "functionObjects/Observed.h"
+#include "parallel/Reduce.h"
 
 namespace mpsDem {
 
@@ -49,8 +50,7 @@ TableFile MomentumBudget::newTable() const
 Vector MomentumBudget::fluidMomentum() const
 {
     ParticleSet const& particles = context_.particles;
-    Vector sum = Vector::Zero();
-    for (int i : particles.fluid()) sum += particles.u[i];
+    Vector const sum = sumOver(particles.fluid(), Vector(Vector::Zero()), [&](int i) { return particles.u[i]; });
     return context_.density * particles.lattice().particleVolume() * sum;
 }
 

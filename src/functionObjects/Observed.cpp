@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/Errors.h"
+#include "parallel/Reduce.h"
 
 namespace mpsDem {
 
@@ -89,7 +90,7 @@ std::string text(Vector const& vector)
 
 Real fluidMass(RunContext const& context)
 {
-    return context.density * context.particles.lattice().particleVolume() * context.particles.fluid().size();
+    return context.density * context.particles.lattice().particleVolume() * sumOverRanks(context.particles.fluid().size());
 }
 
 } // namespace mpsDem

@@ -35,6 +35,7 @@ void CellGrid::build(std::span<Vector const> positions, Real cellSize, int dimen
     cell_.resize(n);
     order_.resize(n);
     sorted_.resize(n);
+    start_.reserve(static_cast<std::size_t>(most) + 2); // for whatever the cloud becomes
     start_.assign(static_cast<std::size_t>(cellCount()) + 1, 0);
     for (std::size_t i = 0; i < n; ++i)
     {

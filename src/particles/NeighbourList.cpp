@@ -10,15 +10,9 @@ void NeighbourList::update(ParticleSet const& particles)
     grid_.build(particles.r, reach, particles.lattice().dimensions);
     int const owned = particles.owned().last;
     start_.resize(static_cast<std::size_t>(owned) + 1);
-    index_.clear();
-    gradientWeight_.clear();
-    laplacianWeight_.clear();
     start_[0] = 0;
-    for (int i : particles.owned())
-    {
-        if (wanted(particles, i)) appendRow(particles, i);
-        start_[i + 1] = static_cast<int>(index_.size());
-    }
+    for (int i : particles.owned()) start_[i + 1] = wanted(particles, i) ? appendRow(particles, i, start_[i]) : start_[i];
+    computeWeights();
 }
 
 bool NeighbourList::wanted(ParticleSet const& particles, int i) const
@@ -33,17 +27,51 @@ bool NeighbourList::wanted(ParticleSet const& particles, int i) const
     return found;
 }
 
-void NeighbourList::appendRow(ParticleSet const& particles, int i)
+int NeighbourList::appendRow(ParticleSet const& particles, int i, int end)
+{
+    Real const reach = radii_.largest(), reach2 = reach * reach;
+    bool const ghost = particles.type[i] == ParticleType::Ghost;
+    Vector const ri = particles.r[i];
+    int const* const order = grid_.order().data();
+    Vector const* const position = grid_.sortedPositions().data();
+    grid_.forEachRun(ri, reach, [&](int first, int last) {
+        makeRoom(end + last - first);
+        int* const index = index_.data();
+        Real* const square = gradientWeight_.data();
+        int k = end;
+        // Each candidate is written, and the end moves on where it counts: no branch that the processor would have to guess.
+        for (int slot = first; slot < last; ++slot)
+        {
+            int const j = order[slot];
+            Real const r2 = (position[slot] - ri).squaredNorm();
+            index[k] = j;
+            square[k] = r2;
+            bool const hidden = ghost && particles.type[j] == ParticleType::Ghost;
+            k += static_cast<int>(r2 < reach2) & static_cast<int>(j != i) & static_cast<int>(!hidden);
+        }
+        end = k;
+    });
+    return end;
+}
+
+void NeighbourList::makeRoom(int pairs)
+{
+    auto const wanted = static_cast<std::size_t>(pairs);
+    if (wanted <= index_.size()) return;
+    index_.resize(wanted + wanted / 2);
+    gradientWeight_.resize(index_.size());
+}
+
+void NeighbourList::computeWeights()
 {
     Kernel const gradient{radii_.gradient}, laplacian{radii_.laplacian};
-    bool const ghost = particles.type[i] == ParticleType::Ghost;
-    grid_.forEachWithin(particles.r[i], radii_.largest(), [&](int j, Vector const&, Real r2) {
-        if (j == i || (ghost && particles.type[j] == ParticleType::Ghost)) return;
-        Real const r = std::sqrt(r2);
-        index_.push_back(j);
-        gradientWeight_.push_back(gradient(r));
-        if (separate()) laplacianWeight_.push_back(laplacian(r));
-    });
+    std::size_t const count = pairs();
+    if (separate() && laplacianWeight_.size() < index_.size()) laplacianWeight_.resize(index_.size());
+    Real* const w = gradientWeight_.data(); // r^2 until now
+    for (std::size_t k = 0; k < count; ++k) w[k] = std::sqrt(w[k]);
+    if (separate())
+        for (std::size_t k = 0; k < count; ++k) laplacianWeight_[k] = laplacian(w[k]);
+    for (std::size_t k = 0; k < count; ++k) w[k] = gradient(w[k]);
 }
 
 } // namespace mpsDem

@@ -41,17 +41,20 @@ public:
     /// w(r_ij) with the Laplacian radius; zero beyond it.
     [[nodiscard]] Real const* laplacianWeight() const { return separate() ? laplacianWeight_.data() : gradientWeight_.data(); }
 
-    [[nodiscard]] std::size_t pairs() const { return index_.size(); }
+    [[nodiscard]] std::size_t pairs() const { return static_cast<std::size_t>(start_.empty() ? 0 : start_.back()); }
 
 private:
     [[nodiscard]] bool separate() const { return radii_.gradient != radii_.laplacian; }
     [[nodiscard]] bool wanted(ParticleSet const& particles, int i) const;
-    void appendRow(ParticleSet const& particles, int i);
+    /// Writes neighbours and r^2 of particle i from `end` on. @return where they end.
+    int appendRow(ParticleSet const& particles, int i, int end);
+    void makeRoom(int pairs);
+    void computeWeights();
 
     Radii radii_;
     bool allWallRows_;
     CellGrid grid_;
-    Field<int> start_, index_;
+    Field<int> start_, index_; ///< index and weights have room behind the last pair.
     Field<Real> gradientWeight_, laplacianWeight_;
 };
 

@@ -57,7 +57,8 @@ namespace {
 template <class T>
 void permute(Field<T>& field, int first, Field<int> const& order)
 {
-    Field<T> sorted(order.size());
+    thread_local Field<T> sorted; // kept: a run sorts now and then
+    sorted.resize(order.size());
     for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = field[static_cast<std::size_t>(order[k])];
     std::copy(sorted.begin(), sorted.end(), field.begin() + first);
 }

@@ -24,10 +24,10 @@ void PeriodicImages::rebuild(ParticleSet& particles, Real reach)
     if (!any()) return;
     particles.dropHalo();
     source_.clear();
-    Field<Vector> shifts;
+    shift_.clear();
     auto const add = [&](int original, Vector const& shift) {
         source_.push_back(original);
-        shifts.push_back(shift);
+        shift_.push_back(shift);
     };
     // Direction after direction, images of images included, so that edges and corners are filled.
     auto const imagesOf = [&](int original, Vector const& r, Vector const& shift, int d) {
@@ -40,12 +40,12 @@ void PeriodicImages::rebuild(ParticleSet& particles, Real reach)
         if (!periodic_[d]) continue;
         std::size_t const before = source_.size();
         for (int i : particles.owned()) imagesOf(i, particles.r[i], Vector::Zero(), d);
-        for (std::size_t k = 0; k < before; ++k) imagesOf(source_[k], particles.r[source_[k]] + shifts[k], Vector(shifts[k]), d);
+        for (std::size_t k = 0; k < before; ++k) imagesOf(source_[k], particles.r[source_[k]] + shift_[k], Vector(shift_[k]), d);
     }
     particles.appendHalo(static_cast<int>(source_.size()));
     Range const halo = particles.halo();
     update(particles.r, halo);
-    for (int i : halo) particles.r[i] += shifts[i - halo.first];
+    for (int i : halo) particles.r[i] += shift_[i - halo.first];
     update(particles.u, halo);
     update(particles.p, halo);
     update(particles.id, halo);

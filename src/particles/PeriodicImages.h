@@ -36,6 +36,7 @@ private:
     Vector low_ = Vector::Zero(), high_ = Vector::Zero();
     std::array<bool, 3> periodic_{false, false, false};
     Field<int> source_;
+    Field<Vector> shift_; ///< From the original to its image [m].
 };
 
 } // namespace mpsDem

@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/Types.h"
 #include "pressure/SparseMatrix.h"
@@ -35,9 +36,9 @@ SolverControls resolveAutomatic(SolverControls const& controls, int rows);
 /// What one solve did.
 struct SolveReport
 {
-    std::string solverName;   ///< As in the log, e.g. "ICPCG".
-    Real initialResidual = 0; ///< |b - A x| / |b| of the guess.
-    Real finalResidual = 0;   ///< The same of the answer, from b - A x itself, never from a recurrence.
+    std::string_view solverName; ///< As in the log, e.g. "ICPCG".
+    Real initialResidual = 0;    ///< |b - A x| / |b| of the guess.
+    Real finalResidual = 0;      ///< The same of the answer, from b - A x itself, never from a recurrence.
     int iterations = 0;
     bool converged = false;
 };

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/Errors.h"
+#include "parallel/Reduce.h"
 #include "pressure/SolverLadder.h"
 
 namespace mpsDem {
@@ -42,8 +43,7 @@ void PressureEquation::chooseRows(ParticleSet const& particles, NeighbourList co
 {
     row_.assign(static_cast<std::size_t>(particles.owned().last), -1);
     particle_.clear();
-    unknowns_ = 0;
-    for (int i : particles.owned()) unknowns_ += isUnknown(particles, i);
+    unknowns_ = static_cast<int>(countOver(particles.owned(), [&](int i) { return isUnknown(particles, i); }));
     stableRows_ = resolveAutomatic(controls_, unknowns_).preconditioner == "AMG";
     for (int i : particles.owned())
     {
@@ -53,13 +53,25 @@ void PressureEquation::chooseRows(ParticleSet const& particles, NeighbourList co
         particle_.push_back(i);
     }
     matrix_.rows = static_cast<int>(particle_.size());
+    reserve(neighbours.pairs() + particle_.size());
     matrix_.rowStart.assign(1, 0);
     matrix_.column.clear();
     matrix_.value.clear();
-    matrix_.column.reserve(neighbours.pairs() + particle_.size());
-    matrix_.value.reserve(neighbours.pairs() + particle_.size());
     pinned_.assign(particle_.size(), 0);
     known_.assign(particle_.size(), 0);
+}
+
+/// Room for the matrix and for all fields by row. As many rows as particles may be needed, and the number of pairs grows slowly: with a
+/// quarter to spare hardly any step allocates.
+void PressureEquation::reserve(std::size_t entries)
+{
+    for (auto* const field : {&known_, &right_, &solution_}) field->reserve(row_.size());
+    particle_.reserve(row_.size());
+    pinned_.reserve(row_.size());
+    matrix_.rowStart.reserve(row_.size() + 1);
+    if (matrix_.column.capacity() >= entries) return;
+    matrix_.column.reserve(entries + entries / 4);
+    matrix_.value.reserve(entries + entries / 4);
 }
 
 void PressureEquation::appendRow(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images, int i)

@@ -40,7 +40,7 @@ public:
     SolveReport response(ParticleSet const& particles, NeighbourList const& neighbours, Field<Vector> const& acceleration,
                          Field<Real>& pressure);
 
-    [[nodiscard]] int unknowns() const { return unknowns_; }
+    [[nodiscard]] int unknowns() const { return unknowns_; } ///< Of all ranks.
     /// Groups without a free surface in the last matrix.
     [[nodiscard]] int closedGroups() const { return groups_.count(); }
     /// Forgets what was set up from earlier matrices: called where a checkpoint is written, so that both runs go on alike.
@@ -48,6 +48,7 @@ public:
 
 private:
     void chooseRows(ParticleSet const& particles, NeighbourList const& neighbours);
+    void reserve(std::size_t entries);
     void appendRow(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images, int i);
     [[nodiscard]] bool isUnknown(ParticleSet const& particles, int i) const;
     SolveReport solveRows(ParticleSet const& particles, Field<Real>& pressure, Real tolerance);

@@ -46,24 +46,26 @@ void PressureGroups::find(SparseMatrix const& matrix, Field<std::uint8_t> const&
         if (g >= 0) ++size_[g];
 }
 
-void PressureGroups::makeCompatible(std::span<Real> right) const
+void PressureGroups::makeCompatible(std::span<Real> right)
 {
     if (size_.empty()) return;
-    Field<Real> mean(size_.size(), 0);
+    mean_.reserve(size_.capacity());
+    mean_.assign(size_.size(), 0);
     for (std::size_t row = 0; row < right.size(); ++row)
-        if (group_[row] >= 0) mean[group_[row]] += right[row] / size_[group_[row]];
+        if (group_[row] >= 0) mean_[group_[row]] += right[row] / size_[group_[row]];
     for (std::size_t row = 0; row < right.size(); ++row)
-        if (group_[row] >= 0) right[row] = size_[group_[row]] <= smallGroup ? 0 : right[row] - mean[group_[row]];
+        if (group_[row] >= 0) right[row] = size_[group_[row]] <= smallGroup ? 0 : right[row] - mean_[group_[row]];
 }
 
-void PressureGroups::shift(std::span<Real> solution) const
+void PressureGroups::shift(std::span<Real> solution)
 {
     if (size_.empty()) return;
-    Field<Real> lowest(size_.size(), std::numeric_limits<Real>::infinity());
+    lowest_.reserve(size_.capacity());
+    lowest_.assign(size_.size(), std::numeric_limits<Real>::infinity());
     for (std::size_t row = 0; row < solution.size(); ++row)
-        if (group_[row] >= 0) lowest[group_[row]] = std::min(lowest[group_[row]], solution[row]);
+        if (group_[row] >= 0) lowest_[group_[row]] = std::min(lowest_[group_[row]], solution[row]);
     for (std::size_t row = 0; row < solution.size(); ++row)
-        if (group_[row] >= 0) solution[row] = size_[group_[row]] <= smallGroup ? 0 : solution[row] - lowest[group_[row]];
+        if (group_[row] >= 0) solution[row] = size_[group_[row]] <= smallGroup ? 0 : solution[row] - lowest_[group_[row]];
 }
 
 } // namespace mpsDem

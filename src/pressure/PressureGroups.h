@@ -19,10 +19,10 @@ public:
     [[nodiscard]] int count() const { return static_cast<int>(size_.size()); }
 
     /// Takes the mean of each group off the right side; groups of up to three rows get zero.
-    void makeCompatible(std::span<Real> right) const;
+    void makeCompatible(std::span<Real> right);
 
     /// Shifts each group so that its lowest value is zero; groups of up to three rows become zero.
-    void shift(std::span<Real> solution) const;
+    void shift(std::span<Real> solution);
 
 private:
     static constexpr int smallGroup = 3; ///< Rows; a lone particle, a pair or a triple in flight carries no pressure.
@@ -32,6 +32,7 @@ private:
     Field<int> group_; ///< Per row: -1 pinned, else number of its group.
     Field<int> size_;  ///< Rows of each group.
     Field<int> stack_;
+    Field<Real> mean_, lowest_; ///< Per group.
 };
 
 } // namespace mpsDem

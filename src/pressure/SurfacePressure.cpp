@@ -67,6 +67,8 @@ void SurfacePressure::average(ParticleSet const& particles, NeighbourList const&
 void SurfacePressure::evaluate(ParticleSet const& particles, NeighbourList const& neighbours, ReferenceConstants const& constants,
                                PeriodicImages const& images)
 {
+    single_.reserve(particles.r.capacity());
+    value_.reserve(particles.r.capacity());
     single_.assign(particles.r.size(), 0);
     value_.assign(particles.r.size(), 0);
     bool const flat = particles.lattice().dimensions == 2;

@@ -1,11 +1,13 @@
 #include "scene/FluidStage.h"
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "boundaries/BoundaryPressure.h"
 #include "core/Log.h"
 #include "core/Timers.h"
+#include "parallel/Reduce.h"
 #include "scene/CaseConstants.h"
 
 namespace mpsDem {
@@ -41,16 +43,20 @@ FluidStage::FluidStage(ParticleSet& particles, std::vector<Polyline> const& wall
                                            SurfacePressure::read(setup.schemes.subDictOrEmpty("freeSurfaceSchemes"),
                                                                  setup.schemes.subDictOrEmpty("gradSchemes"), readSchemeSet(setup.schemes)),
                                            particles.lattice(), setup.density, fluid_.gradientConstants(), fluid_.laplacianConstants());
-    low_ = high_ = particles.size() > 0 ? particles.r.front() : Vector(Vector::Zero());
+    Real const infinity = std::numeric_limits<Real>::infinity();
+    low_ = Vector::Constant(infinity);
+    high_ = Vector::Constant(-infinity);
     for (Vector const& r : particles.r)
     {
         low_ = low_.cwiseMin(r);
         high_ = high_.cwiseMax(r);
     }
+    low_ = minOverRanks(low_);
+    high_ = maxOverRanks(high_);
     Real const margin = (high_ - low_).norm();
     low_ -= Vector::Constant(margin);
     high_ += Vector::Constant(margin);
-    initialFluid_ = particles.fluid().size();
+    initialFluid_ = sumOverRanks(static_cast<std::int64_t>(particles.fluid().size()));
     neighbourTimer_ = Timers::add("neighbours", "fluid");
     densityTimer_ = Timers::add("number density", "fluid");
     labelTimer_ = Timers::add("free surface and DBL", "fluid");
@@ -140,8 +146,8 @@ void FluidStage::correct(Step const& step)
 
 void FluidStage::checkFinite(Range const& range, Step const& step) const
 {
-    Real sum = 0;
-    for (int i : range) sum += particles_.r[i].squaredNorm() + particles_.u[i].squaredNorm() + std::abs(particles_.p[i]);
+    Real const sum = sumOver(
+        range, Real(0), [&](int i) { return particles_.r[i].squaredNorm() + particles_.u[i].squaredNorm() + std::abs(particles_.p[i]); });
     if (std::isfinite(sum)) return;
     char const* const help = "the last checkpoint is whole; a smaller maxCo or maxDeltaT may help";
     for (int i : range)
@@ -155,6 +161,8 @@ void FluidStage::checkFinite(Range const& range, Step const& step) const
     }
     throw CaseError(ExitCode::NotFinite, "time " + std::to_string(step.time) + " s: velocities are too large to be summed", help);
 }
+
+std::int64_t FluidStage::escaped() const { return sumOverRanks(escaped_); }
 
 bool FluidStage::hasEscaped(int i) const
 {
@@ -172,16 +180,15 @@ void FluidStage::sortAndCheck(Step const& step)
 {
     particles_.dropHalo();
     int const first = particles_.fluid().first;
-    CellGrid grid;
     std::span<Vector const> const fluid(particles_.r.data() + first, static_cast<std::size_t>(particles_.fluid().size()));
-    grid.build(fluid, radii_.largest(), particles_.lattice().dimensions);
-    Field<int> order;
-    order.reserve(grid.order().size());
-    for (int const k : grid.order())
+    sortGrid_.build(fluid, radii_.largest(), particles_.lattice().dimensions);
+    order_.clear();
+    order_.reserve(sortGrid_.order().size());
+    for (int const k : sortGrid_.order())
     {
         if (!hasEscaped(first + k))
         {
-            order.push_back(first + k);
+            order_.push_back(first + k);
             continue;
         }
         ++escaped_;
@@ -190,9 +197,10 @@ void FluidStage::sortAndCheck(Step const& step)
              << particles_.r[first + k].transpose() << ") and is taken out; " << escaped_ << " so far";
         warn(text.str(), "escaped", 10);
     }
-    particles_.reorderFluid(order);
-    if (static_cast<Real>(escaped_) > largestLoss * static_cast<Real>(initialFluid_))
-        throw CaseError(ExitCode::Solver, std::to_string(escaped_) + " of " + std::to_string(initialFluid_) + " fluid particles were lost",
+    particles_.reorderFluid(order_);
+    std::int64_t const lost = escaped();
+    if (static_cast<Real>(lost) > largestLoss * static_cast<Real>(initialFluid_))
+        throw CaseError(ExitCode::Solver, std::to_string(lost) + " of " + std::to_string(initialFluid_) + " fluid particles were lost",
                         "a wall has a gap, or the run is unstable; allowed are " + std::to_string(largestLoss * 100) + " %");
 }
 

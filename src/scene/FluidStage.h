@@ -50,8 +50,8 @@ public:
     /// Whether a direction is periodic (`cyclic` of system/mpsSchemes).
     [[nodiscard]] bool periodic() const { return images_.any(); }
 
-    /// Particles taken out because they left the domain or went through a wall, since the start.
-    [[nodiscard]] std::int64_t escaped() const { return escaped_; }
+    /// Particles taken out because they left the domain or went through a wall, since the start; of all ranks.
+    [[nodiscard]] std::int64_t escaped() const;
 
     /// Called where a state is written: forgets what a restarted run would not have.
     void forget() { pressure_->forget(); }
@@ -77,8 +77,10 @@ private:
     Fluid fluid_;
     std::unique_ptr<PressureEquation> pressure_;
     Vector low_, high_; ///< Box beyond which a particle is lost [m].
-    std::int64_t escaped_ = 0;
-    std::int64_t initialFluid_ = 0;
+    CellGrid sortGrid_;
+    Field<int> order_;              ///< Scratch of sortAndCheck().
+    std::int64_t escaped_ = 0;      ///< Of this rank.
+    std::int64_t initialFluid_ = 0; ///< Of all ranks.
     int neighbourTimer_, densityTimer_, labelTimer_, predictTimer_, assembleTimer_, solveTimer_, boundaryTimer_, gradientTimer_,
         collisionTimer_, shiftTimer_;
 };

@@ -111,8 +111,8 @@ void Scene::buildFluid()
     fluid_ = std::make_unique<FluidStage>(particles_, surfaces_, setup, ledger_);
     if (!asksFor(dicts_.control.subDictOrEmpty("functions"), "momentumBudget")) return;
     for (Polyline const& surface : surfaces_) fixedSurfaces_.emplace_back(surface, dicts_.lattice, -1);
-    ledger_.impulse("impulse/walls");
-    ledger_.impulse("impulse/gravityOnFluid");
+    wallImpulse_ = &ledger_.impulse("impulse/walls");
+    gravityImpulse_ = &ledger_.impulse("impulse/gravityOnFluid");
 }
 
 void Scene::buildSolids()

@@ -112,7 +112,8 @@ private:
     std::vector<Real> discRadii_; ///< 0 for bodies that are no discs [m].
     std::unique_ptr<FluidStage> fluid_;
     std::unique_ptr<SolidStage> solids_;
-    std::vector<WettedSurface> fixedSurfaces_; ///< Only where a momentum budget asks for the impulse of the walls.
+    std::vector<WettedSurface> fixedSurfaces_;                  ///< Only where a momentum budget asks for the impulse of the walls.
+    Vector *wallImpulse_ = nullptr, *gravityImpulse_ = nullptr; ///< Of the water, in the ledger; as fixedSurfaces_.
     std::unique_ptr<RunContext> context_;
     std::unique_ptr<FunctionObjects> observers_;
     std::unique_ptr<Output> output_;

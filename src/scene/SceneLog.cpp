@@ -2,6 +2,7 @@
 #include <iomanip>
 
 #include "core/Log.h"
+#include "parallel/Reduce.h"
 #include "scene/Scene.h"
 
 namespace mpsDem {
@@ -25,17 +26,11 @@ void Scene::logStep(Step const& step, double executionTime, double clockTime) co
         os << lastSolve_.solverName << ":  Solving for p, Initial residual = " << lastSolve_.initialResidual
            << ", Final residual = " << lastSolve_.finalResidual << ", No Iterations " << lastSolve_.iterations << '\n';
         // Volume error of the cloud: deviation of the number density in the interior.
-        Real local = 0, global = 0;
-        int count = 0;
-        for (int i : particles_.fluid())
-        {
-            if (particles_.surface[i] != SurfaceLabel::Interior) continue;
-            Real const e = particles_.n[i] - 1;
-            local += std::abs(e);
-            global += e;
-            ++count;
-        }
-        Real const n = std::max(1, count);
+        auto const inside = [&](int i) { return particles_.surface[i] == SurfaceLabel::Interior; };
+        auto const error = [&](int i) { return inside(i) ? particles_.n[i] - 1 : 0; };
+        Real const local = sumOver(particles_.fluid(), Real(0), [&](int i) { return std::abs(error(i)); });
+        Real const global = sumOver(particles_.fluid(), Real(0), error);
+        Real const n = static_cast<Real>(std::max(std::int64_t{1}, countOver(particles_.fluid(), inside)));
         cumulativeError_ += global / n;
         os << "time step continuity errors : sum local = " << local / n << ", global = " << global / n
            << ", cumulative = " << cumulativeError_ << '\n';
@@ -74,8 +69,9 @@ void Scene::logEnd(double loopSeconds) const
 {
     if (fluid_)
     {
-        info() << "Particles: " << particles_.fluid().size() << " fluid, " << particles_.boundary().size() << " boundary; "
-               << fluid_->escaped() << " left the domain; pressure displacements limited " << fluid_->fluid().limited() << " times\n\n";
+        info() << "Particles: " << sumOverRanks(particles_.fluid().size()) << " fluid, " << sumOverRanks(particles_.boundary().size())
+               << " boundary; " << fluid_->escaped() << " left the domain; pressure displacements limited " << fluid_->fluid().limited()
+               << " times\n\n";
     }
     printBill(info(), loopSeconds, particleSteps_);
     info() << std::endl;

@@ -4,6 +4,7 @@
 #include "core/Log.h"
 #include "core/Timers.h"
 #include "io/Checkpoint.h"
+#include "parallel/Reduce.h"
 #include "scene/Scene.h"
 
 namespace mpsDem {
@@ -75,17 +76,16 @@ void Scene::accumulateImpulse(Step const& step)
     PressureIntegrationControls controls;
     controls.wetRadius = 1.5 * dicts_.lattice.spacing;
     controls.radius = 2.1 * dicts_.lattice.spacing;
-    Vector& walls = ledger_.impulse("impulse/walls");
     for (WettedSurface& surface : fixedSurfaces_)
     {
         surface.interpolate(
             particles_, fluid_->neighbours().grid(), particles_.p, gravity_, density, [](Vector const&) { return Vector(Vector::Zero()); },
             controls);
         surface.dryContactFaces(particles_, fluid_->neighbours().grid());
-        walls -= step.dt * surface.integrate(Vector::Zero()).force; // on the water: the reaction
+        *wallImpulse_ -= step.dt * surface.integrate(Vector::Zero()).force; // on the water: the reaction
     }
-    Real const mass = density * dicts_.lattice.particleVolume() * particles_.fluid().size();
-    ledger_.impulse("impulse/gravityOnFluid") += step.dt * mass * gravity_;
+    Real const mass = density * dicts_.lattice.particleVolume() * sumOverRanks(particles_.fluid().size());
+    *gravityImpulse_ += step.dt * mass * gravity_;
 }
 
 void Scene::observe(Step const& step)

@@ -1,56 +1,37 @@
 // First mode of a tank, k = pi/L: omega^2 = g k tanh(k H), frequency lowered in second order by about omega (k a)^2 x O(1), here < 0.5 %.
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
-#include <vector>
 
 #include "support/RunCase.h"
+#include "verification/Oscillation.h"
 
 namespace mpsDem::test {
 
 namespace {
 
-/// Zero crossings upwards and the peaks between them of a signal.
-class Oscillation
-{
-public:
-    void add(Real time, Real value)
-    {
-        if (begun_ && last_ < 0 && value >= 0) crossings_.push_back(lastTime_ - last_ * (time - lastTime_) / (value - last_));
-        if (begun_ && (last_ < 0) != (value < 0))
-        {
-            if (largest_ > 0) peaks_.push_back(largest_);
-            largest_ = 0;
-        }
-        largest_ = std::max(largest_, std::abs(value));
-        begun_ = true;
-        last_ = value;
-        lastTime_ = time;
-    }
-    [[nodiscard]] Real period() const { return (crossings_.back() - crossings_.front()) / static_cast<Real>(crossings_.size() - 1); }
-    [[nodiscard]] std::vector<Real> const& peaks() const { return peaks_; }
+constexpr Real depth = 0.5, length = 1, spacing = 0.02;
 
-private:
-    bool begun_ = false;
-    Real last_ = 0, lastTime_ = 0, largest_ = 0;
-    std::vector<Real> crossings_, peaks_;
+/// What is left of a wave in the tank after some periods.
+struct Wave
+{
+    Real period = 0; ///< Over that of linear theory, less 1.
+    Real first = 0;  ///< First amplitude over that of the start, less 1.
+    Real loss = 0;   ///< Of the last peak against the first.
+    std::size_t peaks = 0;
 };
 
-} // namespace
-
-// Measured: period 3.8 % too short, loss of amplitude 92 % in 10 periods; after 2 periods 35 % at spacing 0.02 m (0.8 a), 20 % at 0.01 m.
-//
-// Started flat, with the velocities of the linear wave of amplitude a = 0.05 H. The signal is the sum of cos(kx) over all particles, which
-// is the amplitude of the mode.
-TEST(StandingWave, DISABLED_hasThePeriodOfLinearTheory)
+/// Started flat, with the velocities of the linear wave. The signal is the sum of cos(kx) over all particles, which is the amplitude of the
+/// mode. @param amplitude  [m].
+Wave wave(Real amplitude, Real periods)
 {
-    Real const depth = 0.5, length = 1, amplitude = 0.025, spacing = 0.02;
     Real const k = std::numbers::pi / length, omega = std::sqrt(9.81 * k * std::tanh(k * depth));
+    Real const period = 2 * std::numbers::pi / omega;
     RunCase run(spacing);
     run.write("system/setParticlesDict", "geometry { tank { type polyline; points ((0 1 0) (0 0 0) (1 0 0) (1 1 0)); } }\n"
                                          "regions ( boxToParticle { box (0 0 0) (1 0.5 0); } );\n");
-    Real const period = 2 * std::numbers::pi / omega;
-    run.control(10.6 * period, 2e-3).make([&](ParticleSet& particles) {
+    run.control((periods + 0.6) * period, 2e-3).make([&](ParticleSet& particles) {
         Real const scale = amplitude * omega / std::sinh(k * depth);
         for (int const i : particles.fluid())
         {
@@ -58,16 +39,43 @@ TEST(StandingWave, DISABLED_hasThePeriodOfLinearTheory)
             particles.u[i] = scale * Vector(-std::sin(x) * std::cosh(y), std::cos(x) * std::sinh(y), 0);
         }
     });
-    Oscillation wave;
+    Oscillation found;
     run.run([&](Scene const& scene, Step const& step) {
         Real sum = 0;
         for (int const i : scene.particles().fluid()) sum += std::cos(k * scene.particles().r[i].x());
-        wave.add(step.time, 2 * sum * spacing * spacing / length);
+        found.add(step.time, 2 * sum * spacing * spacing / length);
     });
-    ASSERT_GT(wave.peaks().size(), 18U);
-    expectBelow("standing wave: period, relative error", wave.period() / period - 1, 0.01);
-    expectBelow("standing wave: loss of amplitude in 10 periods", 1 - wave.peaks()[wave.peaks().size() - 1] / wave.peaks()[0], 0.1);
-    expectBelow("standing wave: first amplitude, relative error", wave.peaks()[0] / amplitude - 1, 0.1);
+    if (found.peaks().empty()) return {};
+    return {found.period() / period - 1, found.peaks().front() / amplitude - 1, 1 - found.peaks().back() / found.peaks().front(),
+            found.peaks().size()};
+}
+
+} // namespace
+
+TEST(StandingWave, hasThePeriodOfLinearTheory)
+{
+    Wave const found = wave(0.025, 4);
+    ASSERT_GT(found.peaks, 6U);
+    expectBelow("standing wave, 4 periods: period, relative error", found.period, 0.01);
+    expectBelow("standing wave: first amplitude, relative error", found.first, 0.1);
+}
+
+// The flow is chaotic: a first amplitude that differs by 2 % ends with quite another loss, hence the mean over three. Measured: 0.029, 0.261
+// and 0.139, mean 0.143; period 0.1 % too long.
+TEST(StandingWaveGate, DISABLED_keepsItsAmplitudeForTenPeriods)
+{
+    Series loss, period;
+    for (Real const amplitude : {0.0245, 0.025, 0.0255})
+    {
+        Wave const found = wave(amplitude, 10);
+        ASSERT_GT(found.peaks, 18U);
+        std::printf("    amplitude %g m: loss %g, period %g\n", amplitude, found.loss, found.period);
+        loss.add(found.loss);
+        period.add(found.period);
+    }
+    expectBelow("standing wave, 10 periods: period, mean relative error", period.mean(), 0.01);
+    expectBelow("standing wave, 10 periods: mean loss of amplitude", loss.mean(), 0.1);
+    std::printf("    spread of the loss %g\n", loss.largest() - loss.least());
 }
 
 } // namespace mpsDem::test

@@ -27,10 +27,13 @@ void writeContact(RunCase& run)
 {
     run.write("constant/contactProperties",
               "mu 0.0104724; e 0.2;\n"
-              "stoppers { foot { type latch; body slide; point (1 0 0); normal (-0.70710678 0.70710678 0); } }");
+              "stoppers { foot { type latch; body slide; point (0.95 0.05 0); normal (-0.70710678 0.70710678 0); } }");
 }
 
-/// Path of the wedge: fall of its centre at t = 0.1, 0.2, .. 0.9 s, when it stopped, and the noise of its force.
+/// The water settles so long around the held wedge [s].
+constexpr Real hold = 0.2;
+
+/// Path of the wedge: fall of its centre at t = 0.1, 0.2, .. 0.9 s after its release, when it stopped, and the noise of its force.
 struct Fall
 {
     std::array<Real, 9> z{};
@@ -40,10 +43,10 @@ struct Fall
 Fall fall(Real spacing, Real dt)
 {
     RunCase run(spacing);
-    writeWedge(run, "", 4);
+    writeWedge(run, "releaseTime 0.2;", 4);
     writeContact(run);
     run.write("system/mpsSolution", "coupling { type strong; }");
-    run.control(1.1, dt).make();
+    run.control(1.1 + hold, dt).make();
     Fall result;
     Jump jump;
     Series force;
@@ -52,16 +55,17 @@ Fall fall(Real spacing, Real dt)
     std::size_t next = 0;
     run.run([&](Scene const& scene, Step const& step) {
         RigidBody const& slide = *scene.bodies()[0];
-        Real const now = top - slide.centre().y();
-        for (; next < result.z.size() && step.time >= 0.1 * static_cast<Real>(next + 1); ++next)
-            result.z[next] = before + (now - before) * (0.1 * static_cast<Real>(next + 1) - timeBefore) / (step.time - timeBefore);
+        Real const time = step.time - hold, now = top - slide.centre().y();
+        for (; next < result.z.size() && time >= 0.1 * static_cast<Real>(next + 1); ++next)
+            result.z[next] = before + (now - before) * (0.1 * static_cast<Real>(next + 1) - timeBefore) / (time - timeBefore);
         before = now;
-        timeBefore = step.time;
+        timeBefore = time;
         if (slide.locked())
         {
-            if (result.stop == 0) result.stop = step.time;
+            if (result.stop == 0) result.stop = time;
             return;
         }
+        if (time < 0) return;
         jump.add(slide.fluid.force);
         force.add(slide.fluid.force.norm());
     });
@@ -69,20 +73,28 @@ Fall fall(Real spacing, Real dt)
     return result;
 }
 
-/// Falls at t = 0.1 .. 0.9 s of an independent prototype at a spacing of 0.02 m [m], and the time of its stop.
-constexpr std::array<Real, 9> reference{.0110, .0373, .0768, .1264, .1820, .2409, .3026, .3669, .4329};
-constexpr Real referenceStop = .982;
+/// Falls at t = 0.1 .. 0.9 s after the release [m], and the time of the stop 5 cm above the floor [s].
+struct Reference
+{
+    std::array<Real, 9> z;
+    Real stop;
+};
 
-void compare(std::string const& name, Fall const& found)
+/// This program at 0.02 m and at 0.01 m: tutorials/landslide/submarineWedge2D with these spacings. Largest difference between both 1.2 % of
+/// 0.49 m; order of z(0.5 s) over 0.04, 0.02 and 0.01 m: 1.0.
+constexpr Reference medium{{.0094, .0362, .0767, .1272, .1838, .2431, .3047, .3682, .4330}, .911};
+constexpr Reference fine{{.0094, .0358, .0755, .1260, .1820, .2426, .3063, .3718, .4388}, .905};
+
+void compare(std::string const& name, Fall const& found, Reference const& reference)
 {
     Real worst = 0;
-    for (std::size_t k = 0; k < reference.size(); ++k)
+    for (std::size_t k = 0; k < reference.z.size(); ++k)
     {
-        std::printf("    t = %.1f s: z = %.4f m, reference %.4f m\n", 0.1 * static_cast<Real>(k + 1), found.z[k], reference[k]);
-        worst = std::max(worst, std::abs(found.z[k] - reference[k]));
+        std::printf("    t = %.1f s: z = %.4f m, reference %.4f m\n", 0.1 * static_cast<Real>(k + 1), found.z[k], reference.z[k]);
+        worst = std::max(worst, std::abs(found.z[k] - reference.z[k]));
     }
     expectBelow(name + ": z(t), largest difference over 0.49 m", worst / 0.49, 0.03);
-    expectBelow(name + ": time of the stop, relative difference", found.stop / referenceStop - 1, 0.03);
+    expectBelow(name + ": time of the stop, relative difference", found.stop / reference.stop - 1, 0.03);
     expectBelow(name + ": step jump of the force over its mean", found.jump, 0.12);
 }
 
@@ -106,8 +118,8 @@ TEST(Wedge, heldInStillWaterFeelsHydrostaticPressure)
     expectBelow("held wedge, spacing 0.04: step jump of the force over F_x", jump.value() / std::abs(exact), 0.02);
 }
 
-TEST(Wedge, slidesAsAtTwiceTheResolution) { compare("sliding wedge, spacing 0.04", fall(0.04, 1e-3)); }
+TEST(Wedge, slidesAsAtTwiceTheResolution) { compare("sliding wedge, spacing 0.04", fall(0.04, 1e-3), medium); }
 
-TEST(WedgeGate, slidesAsThePrototype) { compare("sliding wedge, spacing 0.02", fall(0.02, 1e-3)); }
+TEST(WedgeGate, slidesAsAtTwiceTheResolution) { compare("sliding wedge, spacing 0.02", fall(0.02, 1e-3), fine); }
 
 } // namespace mpsDem::test

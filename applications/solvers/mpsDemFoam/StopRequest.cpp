@@ -23,12 +23,15 @@ std::string signalName(int number)
 
 } // namespace
 
-StopRequest::StopRequest(std::filesystem::path caseRoot) : root_(std::move(caseRoot))
+StopRequest::StopRequest(std::filesystem::path caseRoot)
+    : root_(std::move(caseRoot)),
+      stopFile_(root_ / "stop"),
+      controlFile_(root_ / "system" / "controlDict")
 {
     std::signal(SIGUSR1, askWrite);
     for (int const signal : {SIGUSR2, SIGTERM, SIGINT}) std::signal(signal, askStop);
-    controlTime_ = std::filesystem::last_write_time(root_ / "system" / "controlDict");
-    controlSize_ = std::filesystem::file_size(root_ / "system" / "controlDict");
+    controlTime_ = std::filesystem::last_write_time(controlFile_);
+    controlSize_ = std::filesystem::file_size(controlFile_);
 }
 
 void StopRequest::serve(Scene& scene, double clockSeconds)
@@ -40,7 +43,7 @@ void StopRequest::serve(Scene& scene, double clockSeconds)
         writeSignal = 0;
     }
     if (stopSignal) scene.askStop(signalName(stopSignal));
-    if (std::filesystem::remove(root_ / "stop")) scene.askStop("the file stop");
+    if (std::filesystem::remove(stopFile_)) scene.askStop("the file stop");
     Real const budget = scene.time().maxClockTime();
     if (budget > 0 && clockSeconds > budget) scene.askStop("maxClockTime");
     rereadControl(scene);
@@ -50,16 +53,15 @@ void StopRequest::serve(Scene& scene, double clockSeconds)
 
 void StopRequest::rereadControl(Scene& scene)
 {
-    std::filesystem::path const file = root_ / "system" / "controlDict";
     std::error_code error;
-    auto const time = std::filesystem::last_write_time(file, error);
-    auto const size = std::filesystem::file_size(file, error);
+    auto const time = std::filesystem::last_write_time(controlFile_, error);
+    auto const size = std::filesystem::file_size(controlFile_, error);
     if (error || (time == controlTime_ && size == controlSize_)) return;
     controlTime_ = time;
     controlSize_ = size;
     try
     {
-        Dictionary const dict = Dictionary::fromFile(file, root_);
+        Dictionary const dict = Dictionary::fromFile(controlFile_, root_);
         dict.requireHeader();
         scene.time().reread(dict);
         info() << "Re-read system/controlDict: endTime = " << scene.time().endTime() << '\n' << std::endl;

@@ -23,7 +23,7 @@ public:
 private:
     void rereadControl(Scene& scene);
 
-    std::filesystem::path root_;
+    std::filesystem::path root_, stopFile_, controlFile_;
     std::filesystem::file_time_type controlTime_;
     std::uintmax_t controlSize_;
 };
