@@ -125,12 +125,17 @@ Load FluidBodyCoupling::integrate(ParticleSet const& particles, NeighbourList co
     return surface_.integrate(body_.centre());
 }
 
+bool FluidBodyCoupling::weakIsToBeChecked()
+{
+    auto const wet = std::count(surface_.wet().begin(), surface_.wet().end(), 1);
+    if (direction_.empty() || body_.locked() || wet <= 2 * checkedWet_) return false;
+    checkedWet_ = wet;
+    return true;
+}
+
 void FluidBodyCoupling::checkWeak(ParticleSet const& particles, NeighbourList const& neighbours, Real time,
                                   PressureResponse const& response)
 {
-    auto const wet = std::count(surface_.wet().begin(), surface_.wet().end(), 1);
-    if (direction_.empty() || body_.locked() || wet <= 2 * checkedWet_) return;
-    checkedWet_ = wet;
     findAddedMass(particles, neighbours, response);
     Real const ratio = addedMassRatio();
     std::ostringstream text;
@@ -159,7 +164,9 @@ void FluidBodyCoupling::load(ParticleSet const& particles, NeighbourList const& 
         mode_ == Mode::Strong || (mode_ == Mode::Lagged && step.number % controls_.addedMassInterval == 1 % controls_.addedMassInterval);
     if (mode_ == Mode::Weak)
     {
-        static_cast<void>(integrate(particles, neighbours)); // which points are wet
+        body_.setAddedMass(Matrix6::Zero(), Vector6::Zero());
+        body_.fluid = integrate(particles, neighbours);
+        if (!weakIsToBeChecked()) return;
         checkWeak(particles, neighbours, step.begin(), response);
         renew = false; // found just now where the mode has become strong
     }

@@ -91,6 +91,7 @@ private:
     [[nodiscard]] Vector6 assumedAcceleration() const;
     void findAddedMass(ParticleSet const& particles, NeighbourList const& neighbours, PressureResponse const& response);
     [[nodiscard]] Load integrate(ParticleSet const& particles, NeighbourList const& neighbours);
+    [[nodiscard]] bool weakIsToBeChecked();
     void checkWeak(ParticleSet const& particles, NeighbourList const& neighbours, Real time, PressureResponse const& response);
 
     RigidBody& body_;

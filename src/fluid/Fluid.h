@@ -40,7 +40,6 @@ public:
     [[nodiscard]] Viscosity const* viscosity() const { return viscosity_.get(); }
     [[nodiscard]] Collision const* collision() const { return collision_.get(); }
     [[nodiscard]] Shifting* shifting() const { return shifting_.get(); }
-    [[nodiscard]] SurfaceDamping const* surfaceDamping() const { return surfaceDamping_.get(); }
     [[nodiscard]] NegativePressure negativePressure() const { return negativePressure_; }
     [[nodiscard]] Real density() const { return density_; }
     [[nodiscard]] Real nu() const { return nu_; }

@@ -12,9 +12,9 @@ namespace mpsDem {
 /// \f[ \mathbf s_i = c_i\,l_0\,\mathbf F_i, \qquad
 ///     \delta\mathbf r_i = \mathbf s_i - \frac{\sum_j w_{ij}\,\mathbf s_j}{\sum_j w_{ij}}, \qquad |\delta\mathbf r_i| \le 0.1\,l_0 \f]
 /// c_i is half of the coefficient c at rest and c itself from a Courant number |u| dt/l0 of 0.05: a flow disorders the cloud, and in water
-/// that hardly moves a shift is noise. Only what differs from the neighbours' mean is taken: the mean is a drift from crests to troughs, which took 7 % of the energy of a
-/// standing wave in each of its periods. At and near the free surface only the part along the surface counts; splash is left alone. The
-/// mean runs over fluid of the same kind, on the surface or below it.
+/// that hardly moves a shift is noise. Only what differs from the neighbours' mean is taken: the mean is a drift from crests to troughs,
+/// which took 7 % of the energy of a standing wave in each of its periods. At and near the free surface only the part along the surface
+/// counts; splash is left alone. The mean runs over fluid of the same kind, on the surface or below it.
 ///
 /// | key | meaning | unit | default (standard, paper) | range |
 /// | type | surfaceVector or none | - | surfaceVector, none | - |

@@ -4,7 +4,6 @@
 
 #include "particles/NeighbourList.h"
 #include "particles/ParticleSet.h"
-#include "particles/ReferenceConstants.h"
 #include "particles/SchemeSet.h"
 
 namespace mpsDem {

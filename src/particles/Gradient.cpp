@@ -1,5 +1,7 @@
 #include "particles/Gradient.h"
 
+#include "particles/GradientSums.h"
+
 namespace mpsDem {
 
 namespace {
@@ -15,34 +17,6 @@ struct Corrected
 struct Hybrid
 {
     static bool corrects(SurfaceLabel label) { return label == SurfaceLabel::Interior; }
-};
-
-/// Both sums of one particle: of (p_j + p_i) for eq 4 and of (p_j - p_i) with the matrix C^-1 for the corrected form.
-template <int d>
-struct Sums
-{
-    Vector symmetric = Vector::Zero();
-    Vector difference = Vector::Zero();
-    Tensor moment = Tensor::Zero();
-
-    void add(Vector const& rij, Real pi, Real pj, Real w)
-    {
-        Real const q = w / (rij.squaredNorm() + tiny);
-        symmetric += (q * (pj + pi)) * rij;
-        difference += (q * (pj - pi)) * rij;
-        for (int a = 0; a < d; ++a)
-            for (int b = a; b < d; ++b) moment(a, b) += q * rij[a] * rij[b];
-    }
-    [[nodiscard]] Vector corrected(Real factor) const
-    {
-        Eigen::Matrix<Real, d, d> inverse;
-        for (int a = 0; a < d; ++a)
-            for (int b = a; b < d; ++b) inverse(a, b) = inverse(b, a) = factor * moment(a, b);
-        if (inverse.determinant() < GradientScheme::smallestDeterminant) return factor * symmetric;
-        Vector result = Vector::Zero();
-        result.template head<d>() = inverse.inverse() * (factor * difference.template head<d>());
-        return result;
-    }
 };
 
 template <class Rule>
@@ -70,13 +44,14 @@ private:
         {
             Vector const ri = particles.r[i];
             Real const pi = particles.p[i];
-            Sums<d> sums;
+            GradientSums<d> sums;
             for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
             {
                 int const j = index[k];
                 sums.add(particles.r[j] - ri, pi, particles.mirror[j] ? pi : particles.p[j], w[k]);
             }
-            gradient[i] = Rule::corrects(particles.surface[i]) ? sums.corrected(factor) : Vector(factor * sums.symmetric);
+            bool const consistent = Rule::corrects(particles.surface[i]) && sums.corrected(factor, gradient[i]);
+            if (!consistent) gradient[i] = factor * sums.symmetric;
         }
     }
 };

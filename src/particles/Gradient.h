@@ -29,9 +29,6 @@ public:
     /// The name alone.
     static std::string readName(Dictionary const& gradSchemes, SchemeSet set);
 
-    /// Determinant of C^-1 below which a particle has too few neighbours around it for the corrected form.
-    static constexpr Real smallestDeterminant = 0.2;
-
     virtual ~GradientScheme() = default;
 
     /// Gradient of particles.p at every fluid particle into `gradient`, sized as the particles; other entries are left alone.

@@ -13,9 +13,10 @@ namespace mpsDem {
 /// Eq 8: the pressure Poisson equation of a step, one row per wet particle.
 ///
 /// \f[ \frac{2d}{n^0\lambda}\sum_{j} w_{ij}\,(p_i - p_j) = -b_i \f]
-/// over fluid and wet wall particles j. The pressure of surface particles is given (Dirichlet: SurfacePressure, or 0), dry walls and ghosts no place in it. The matrix is a
-/// symmetric M-matrix. Groups of particles without any p = 0 in reach (a closed box, an island in flight) are found by a flood fill:
-/// up to three particles get p = 0, larger groups have their right side made compatible and their lowest pressure set to zero.
+/// over fluid and wet wall particles j. The pressure of surface particles is given (Dirichlet: SurfacePressure, or 0); dry walls and ghosts
+/// have no place in it. The matrix is a symmetric M-matrix. Groups of particles without a given pressure in reach (a closed box, an island
+/// in flight) are found by a flood fill: up to three particles get p = 0, larger groups have their right side made compatible and their
+/// lowest pressure set to zero.
 class PressureEquation
 {
 public:

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "particles/Gradient.h"
+#include "particles/GradientSums.h"
 
 namespace mpsDem {
 
@@ -17,26 +18,20 @@ bool isOnSurface(ParticleSet const& particles, int i)
 template <int d>
 Real halfSpacing(ParticleSet const& particles, NeighbourList const& neighbours, ReferenceConstants const& constants, int i)
 {
-    using Matrix = Eigen::Matrix<Real, d, d>;
     Real const length = particles.F[i].norm();
     if (length < tiny) return 0;
-    Matrix moment = Matrix::Zero();
-    Eigen::Matrix<Real, d, 1> difference = Eigen::Matrix<Real, d, 1>::Zero();
+    GradientSums<d> sums;
     Real largest = 0;
     for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
     {
         int const j = neighbours.index()[k];
         if (!particles.isFluid(j) && !(particles.type[j] == ParticleType::Wall && particles.wet[j])) continue;
-        auto const rij = (particles.r[j] - particles.r[i]).template head<d>().eval();
-        Real const q = neighbours.gradientWeight()[k] / (rij.squaredNorm() + tiny);
-        moment += q * rij * rij.transpose();
-        difference += q * (particles.p[j] - particles.p[i]) * rij;
+        sums.add(particles.r[j] - particles.r[i], particles.p[i], particles.p[j], neighbours.gradientWeight()[k]);
         largest = std::max(largest, particles.p[j]);
     }
-    Real const factor = d / constants.n0;
-    moment *= factor;
-    if (moment.determinant() < GradientScheme::smallestDeterminant) return 0;
-    Real const slope = -(moment.inverse() * (factor * difference)).dot(particles.F[i].template head<d>()) / length;
+    Vector gradient;
+    if (!sums.corrected(d / constants.n0, gradient)) return 0;
+    Real const slope = -gradient.dot(particles.F[i]) / length;
     return std::clamp(0.5 * particles.lattice().spacing * slope, Real(0), 0.5 * largest);
 }
 
