@@ -40,16 +40,10 @@ bool isOptionWord(std::string const& word)
     return word.size() > 1 && word[0] == '-' && (std::isalpha(static_cast<unsigned char>(word[1])) || word[1] == '-');
 }
 
-} // namespace
-
-CommandLine::CommandLine(ApplicationDescription description, int argc, char const* const* argv) : description_(std::move(description))
+options::options_description knownOptions(ApplicationDescription const& description)
 {
-    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-    command_ = description_.name;
-    for (std::string const& word : words) command_ += " " + word;
-
     options::options_description known;
-    for (CommandOption const& option : allOptions(description_))
+    for (CommandOption const& option : allOptions(description))
     {
         if (option.argument.empty())
             known.add_options()(option.name.c_str(), option.help.c_str());
@@ -57,28 +51,17 @@ CommandLine::CommandLine(ApplicationDescription description, int argc, char cons
             known.add_options()(option.name.c_str(), options::value<std::string>(), option.help.c_str());
     }
     known.add_options()(withoutDash, options::value<std::vector<std::string>>(), "");
+    return known;
+}
+
+/// @throw CommandLineError for an unknown option and one without its value.
+options::parsed_options parse(std::vector<std::string> const& words, options::options_description const& known)
+{
     options::positional_options_description anywhere;
     anywhere.add(withoutDash, -1);
     try
     {
-        auto const parsed = options::command_line_parser(words).options(known).positional(anywhere).style(style).run();
-        for (auto const& option : parsed.options)
-        {
-            if (option.position_key >= 0)
-            {
-                for (std::string const& word : option.value)
-                {
-                    if (isOptionWord(word)) throw CommandLineError("Invalid option: " + dashed(word));
-                    arguments_.push_back(word);
-                }
-                continue;
-            }
-            if (option.string_key == withoutDash) throw CommandLineError("Invalid option: " + dashed(option.string_key));
-            std::string const value = option.value.empty() ? "" : option.value.front();
-            if (isOptionWord(value)) throw CommandLineError("Option " + dashed(option.string_key) + " needs a value before " + value);
-            if (!values_.emplace(option.string_key, value).second)
-                throw CommandLineError("Option " + dashed(option.string_key) + " is given twice");
-        }
+        return options::command_line_parser(words).options(known).positional(anywhere).style(style).run();
     }
     catch (options::unknown_option const& error)
     {
@@ -89,6 +72,35 @@ CommandLine::CommandLine(ApplicationDescription description, int argc, char cons
         std::string const name = error.get_option_name();
         bool const missing = dynamic_cast<options::invalid_command_line_syntax const*>(&error) != nullptr;
         throw CommandLineError(missing ? "Option " + dashed(name) + " needs a value or has one that it does not take" : error.what());
+    }
+}
+
+} // namespace
+
+CommandLine::CommandLine(ApplicationDescription description, int argc, char const* const* argv) : description_(std::move(description))
+{
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    command_ = description_.name;
+    for (std::string const& word : words) command_ += " " + word;
+
+    options::options_description const known = knownOptions(description_);
+    options::parsed_options const parsed = parse(words, known);
+    for (auto const& option : parsed.options)
+    {
+        if (option.position_key >= 0)
+        {
+            for (std::string const& word : option.value)
+            {
+                if (isOptionWord(word)) throw CommandLineError("Invalid option: " + dashed(word));
+                arguments_.push_back(word);
+            }
+            continue;
+        }
+        if (option.string_key == withoutDash) throw CommandLineError("Invalid option: " + dashed(option.string_key));
+        std::string const value = option.value.empty() ? "" : option.value.front();
+        if (isOptionWord(value)) throw CommandLineError("Option " + dashed(option.string_key) + " needs a value before " + value);
+        if (!values_.emplace(option.string_key, value).second)
+            throw CommandLineError("Option " + dashed(option.string_key) + " is given twice");
     }
     bool const help = found("help") || found("help-full");
     if (!help && description_.arguments.empty() && !arguments_.empty())

@@ -18,14 +18,14 @@ Real readNumber(Dictionary const& dict, std::string const& key)
 Real readPositive(Dictionary const& dict, std::string const& key)
 {
     Real const value = readNumber(dict, key);
-    require(value > 0, dict.where(key), key + " is " + std::to_string(value), "a number above 0");
+    require(value > 0, dict.where(key), key + " is " + shortNumber(value), "a number above 0");
     return value;
 }
 
 Real readNotNegative(Dictionary const& dict, std::string const& key)
 {
     Real const value = readNumber(dict, key);
-    require(value >= 0, dict.where(key), key + " is " + std::to_string(value), "0 or a number above it");
+    require(value >= 0, dict.where(key), key + " is " + shortNumber(value), "0 or a number above it");
     return value;
 }
 

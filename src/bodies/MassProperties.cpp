@@ -37,7 +37,7 @@ AreaMoments areaMoments(std::vector<Vector> const& points, Vector const& origin)
 
 void requirePositive(Real value, char const* what)
 {
-    require(std::isfinite(value) && value > 0, {}, std::string(what) + " of a body is " + std::to_string(value), "a positive number");
+    require(std::isfinite(value) && value > 0, {}, std::string(what) + " of a body is " + shortNumber(value), "a positive number");
 }
 
 } // namespace

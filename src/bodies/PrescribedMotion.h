@@ -47,6 +47,9 @@ public:
 
     /// Pose and motion at time t of a body whose centre and orientation are the given ones where the motion has no displacement.
     [[nodiscard]] virtual RigidMotion at(Real t, Vector const& centre, Quaternion const& orientation) const = 0;
+
+    /// True where the motion can tell that it leaves the x-y plane at some time, though not at its begin: asked once, for bodies in 2-D.
+    [[nodiscard]] virtual bool leavesPlane() const { return false; }
 };
 
 using PrescribedMotionRegistry = Registry<PrescribedMotion, Dictionary const&>;

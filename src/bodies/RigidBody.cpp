@@ -20,7 +20,7 @@ RigidBody::RigidBody(std::string name, MassProperties const& mass, Vector const&
       rotation_(orientation_.toRotationMatrix()),
       releaseTime_(-std::numeric_limits<Real>::infinity())
 {
-    require(std::isfinite(mass_.mass) && mass_.mass > 0, {}, "mass of body \"" + name_ + "\" is " + std::to_string(mass_.mass) + " kg",
+    require(std::isfinite(mass_.mass) && mass_.mass > 0, {}, "mass of body \"" + name_ + "\" is " + shortNumber(mass_.mass) + " kg",
             "a positive number");
     bool const positive = mass_.inertia.allFinite() && Eigen::LLT<Tensor>(mass_.inertia).info() == Eigen::Success;
     require(positive, {}, "moment of inertia of body \"" + name_ + "\" is not positive", "three positive principal moments");
@@ -96,6 +96,8 @@ void RigidBody::addRestraint(std::unique_ptr<Restraint> restraint)
 
 void RigidBody::setPrescribedMotion(std::unique_ptr<PrescribedMotion> motion, Real time)
 {
+    require(!planar_ || !motion->leavesPlane(), {}, "prescribed motion of the 2-D body \"" + name_ + "\" leaves the x-y plane",
+            "translations in x and y, rotations about z");
     motion_ = std::move(motion);
     motionCentre_ = centre_;
     motionOrientation_ = orientation_;

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "bodies/Constraint.h"
@@ -14,7 +15,7 @@
 
 namespace mpsDem {
 
-/// One rigid body: mass properties, pose, velocity, loads and eqs 13-14. It knows neither fluid nor contact.
+/// One rigid body: mass properties, pose, velocity, loads, eq 13 and eq 14. It knows neither fluid nor contact.
 class RigidBody
 {
 public:
@@ -103,11 +104,21 @@ public:
     void save(State& state) const; ///< Blocks "body/<name>/...".
     void load(State const& state);
 
+    /// What a fluid step changes: pose; motion; added mass; loads and their means; release and latch. For a step that is taken again.
+    using Snapshot = std::tuple<Vector, Quaternion, Tensor, Vector, Vector, Vector, Vector, Matrix6, Vector6, Load, Load, Load, Load, Load,
+                                Load, Load, bool, Vector, Vector, bool>;
+    [[nodiscard]] Snapshot snapshot() const;
+    void restore(Snapshot const& snapshot);
+
     /// Whether its motion shall be told in the log (keyword `report`).
     [[nodiscard]] bool report() const { return report_; }
     void setReport(bool report) { report_ = report; }
 
 private:
+    /// References to all that a snapshot holds.
+    template <class Body>
+    static auto changing(Body& body);
+
     [[nodiscard]] bool held(Real time) const;
     [[nodiscard]] Load restraintLoad() const;
     [[nodiscard]] Real motionTime(Real time) const;

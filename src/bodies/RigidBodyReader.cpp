@@ -13,6 +13,7 @@ Real readMass(Dictionary const& dict, MassProperties const& shape)
 {
     bool const byMass = dict.found("mass");
     bool const byDensity = dict.found("density");
+    if (!byMass && !byDensity) dict.refuseMisspelt({"mass", "density"});
     require(byMass != byDensity, dict.where(byMass ? "density" : ""), byMass ? "a body has mass and density" : "a body has no mass",
             "either mass or density");
     if (byMass) return readPositive(dict, "mass");

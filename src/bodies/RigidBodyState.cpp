@@ -94,4 +94,17 @@ void RigidBody::load(State const& state)
     sums_ = {};
 }
 
+template <class Body>
+auto RigidBody::changing(Body& b)
+{
+    return std::tie(b.centre_, b.orientation_, b.rotation_, b.velocity_, b.angularVelocity_, b.acceleration_, b.angularAcceleration_,
+                    b.addedMass_, b.assumedAcceleration_, b.fluid, b.contactNormal, b.contactTangential, b.meanContactNormal_,
+                    b.meanContactTangential_, b.meanRestraint_, b.meanReaction_, b.released_, b.releaseVelocity_, b.releaseAngularVelocity_,
+                    b.locked_);
+}
+
+RigidBody::Snapshot RigidBody::snapshot() const { return changing(*this); }
+
+void RigidBody::restore(Snapshot const& snapshot) { changing(*this) = snapshot; }
+
 } // namespace mpsDem

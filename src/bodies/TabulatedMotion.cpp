@@ -93,6 +93,12 @@ void TabulatedMotion::findSlopes()
     slopes_.back() = combination(2, chord(count - 2), -1, slopes_[count - 2]);
 }
 
+bool TabulatedMotion::leavesPlane() const
+{
+    return std::any_of(rows_.begin(), rows_.end(),
+                       [](Row const& row) { return row.displacement.z() != 0 || row.angles.x() != 0 || row.angles.y() != 0; });
+}
+
 TabulatedMotion::Sample TabulatedMotion::sample(Real t) const
 {
     if (t < rows_.front().time) return {rows_.front(), {}};

@@ -38,6 +38,7 @@ public:
     TabulatedMotion(std::vector<Row> rows, Interpolation interpolation, std::optional<Vector> centre = {});
 
     [[nodiscard]] RigidMotion at(Real t, Vector const& centre, Quaternion const& orientation) const override;
+    [[nodiscard]] bool leavesPlane() const override;
 
 private:
     struct Sample

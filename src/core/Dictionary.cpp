@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/dictionary/Missing.h"
 #include "core/dictionary/Printer.h"
 #include "core/dictionary/Reader.h"
 
@@ -59,7 +60,7 @@ Dictionary Dictionary::subDict(std::string const& key) const
 {
     node_->asked.insert(key);
     Entry const* const entry = node_->find(key);
-    require(entry != nullptr, where(key), "the dictionary \"" + key + "\" is missing", dictionary::didYouMean(key, node_->keys()));
+    if (!entry) dictionary::refuseMissing(*node_, key, "dictionary", key + " { ... }");
     require(entry->dict != nullptr, where(key), key + " must be a dictionary", key + " { ... }");
     return Dictionary(entry->dict);
 }
@@ -78,7 +79,7 @@ std::vector<std::pair<std::string, Dictionary>> Dictionary::getDictList(std::str
 {
     node_->asked.insert(key);
     Entry* const entry = node_->find(key);
-    require(entry != nullptr, where(key), "the entry \"" + key + "\" is missing", dictionary::didYouMean(key, node_->keys()));
+    if (!entry) dictionary::refuseMissing(*node_, key, "entry", key + " ( name { ... } );");
     require(!entry->dict, where(key), key + " must be a list of dictionaries", key + " ( name { ... } );");
     if (!entry->itemsMade) entry->items = dictionary::dictItems(*entry, node_->scoped(key));
     entry->itemsMade = true;
@@ -102,6 +103,12 @@ std::vector<std::string> Dictionary::dictKeys() const
 }
 
 void Dictionary::ignore(std::string const& key) const { node_->ignored.insert(key); }
+
+void Dictionary::refuseMisspelt(std::vector<std::string> const& keys) const
+{
+    for (std::string const& key : keys)
+        if (!node_->find(key) && dictionary::misspelt(*node_, key)) dictionary::refuseMissing(*node_, key, "entry", {});
+}
 
 Location Dictionary::where(std::string const& key) const
 {

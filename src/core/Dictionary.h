@@ -85,6 +85,10 @@ public:
     /// Marks a keyword as known without reading it (an entry of an effect that is off).
     void ignore(std::string const& key) const;
 
+    /// Refuses the first entry that looks like a misspelling of one of the keywords, none of which is there: before a message that one of several
+    /// entries is needed.
+    void refuseMisspelt(std::vector<std::string> const& keys) const;
+
     /// Place of an entry, or of the dictionary itself for an empty or absent key.
     [[nodiscard]] Location where(std::string const& key = {}) const;
     /// Name of this dictionary as scoped keyword, e.g. "solvers.p".

@@ -2,7 +2,7 @@
 #include <charconv>
 
 #include "core/Dictionary.h"
-#include "core/dictionary/Node.h"
+#include "core/dictionary/Missing.h"
 
 namespace mpsDem {
 
@@ -10,7 +10,7 @@ std::vector<std::string> Dictionary::entryTokens(std::string const& key) const
 {
     node_->asked.insert(key);
     dictionary::Entry const* const entry = node_->find(key);
-    require(entry != nullptr, where(key), "the entry \"" + key + "\" is missing", dictionary::didYouMean(key, node_->keys()));
+    if (!entry) dictionary::refuseMissing(*node_, key, "entry", key + " ...;");
     require(!entry->dict, where(key), key + " must be a value, not a dictionary", key + " ...;");
     std::vector<std::string> all;
     for (dictionary::Token const& token : entry->tokens)

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "core/Dictionary.h"
-#include "core/dictionary/Printer.h"
+#include "core/dictionary/Missing.h"
 #include "core/dictionary/ValueReader.h"
 
 namespace mpsDem {
@@ -11,17 +11,57 @@ using dictionary::ValueReader;
 
 namespace {
 
-/// The plain entry that `key` finds; a missing one and a dictionary are refused.
-Entry const& plainEntry(Dictionary::Node& node, std::string const& key)
+/// The plain entry that `key` finds; a missing one and a dictionary are refused. @param form  Of its value, for the message.
+Entry const& plainEntry(Dictionary::Node& node, std::string const& key, std::string const& form)
 {
     node.asked.insert(key);
     Entry const* const entry = node.find(key);
-    Location missing = node.where();
-    missing.entry = node.scoped(key);
-    require(entry != nullptr, missing, "the entry \"" + key + "\" is missing", dictionary::didYouMean(key, node.keys()));
-    require(!entry->dict, node.where(*entry), key + " must be a value, not a dictionary", key + " ...;");
+    if (!entry) dictionary::refuseMissing(node, key, "entry", key + " " + form);
+    require(!entry->dict, node.where(*entry), key + " must be a value, not a dictionary", key + " " + form);
     return *entry;
 }
+
+/// How a value of the type is written.
+template <class T>
+struct Form;
+template <>
+struct Form<bool>
+{
+    static constexpr char const* text = "<yes or no>;";
+};
+template <>
+struct Form<int>
+{
+    static constexpr char const* text = "<integer>;";
+};
+template <>
+struct Form<std::int64_t> : Form<int>
+{};
+template <>
+struct Form<Real>
+{
+    static constexpr char const* text = "<number>;";
+};
+template <>
+struct Form<std::string>
+{
+    static constexpr char const* text = "<word>;";
+};
+template <>
+struct Form<Vector>
+{
+    static constexpr char const* text = "(x y z);";
+};
+template <>
+struct Form<Tensor>
+{
+    static constexpr char const* text = "(xx xy xz yx yy yz zx zy zz);";
+};
+template <class T>
+struct Form<std::vector<T>>
+{
+    static constexpr char const* text = "( ... );";
+};
 
 template <class T>
 inline constexpr bool isList = false;
@@ -31,7 +71,7 @@ inline constexpr bool isList<std::vector<T>> = true;
 template <class T>
 T valueOf(Dictionary::Node& node, std::string const& key)
 {
-    Entry const& entry = plainEntry(node, key);
+    Entry const& entry = plainEntry(node, key, Form<T>::text);
     ValueReader reader(entry, node.where(entry));
     if constexpr (!isList<T>) reader.skipUniform();
     T value;
@@ -43,7 +83,8 @@ T valueOf(Dictionary::Node& node, std::string const& key)
 template <class T>
 T dimensioned(Dictionary::Node& node, std::string const& key, std::vector<int> const& dimensions)
 {
-    Entry const& entry = plainEntry(node, key);
+    std::string const form = std::string(Form<T>::text) + "   dimensions may stand before it: " + dictionary::dimensionsText(dimensions);
+    Entry const& entry = plainEntry(node, key, form);
     ValueReader reader(entry, node.where(entry));
     reader.takeDimensions(dimensions);
     T value;
@@ -52,12 +93,12 @@ T dimensioned(Dictionary::Node& node, std::string const& key, std::vector<int> c
     return value;
 }
 
-std::string text(Real value)
+std::string rangeText(Real lowest, Real highest)
 {
-    dictionary::Token token;
-    token.kind = dictionary::TokenKind::Number;
-    token.number = value;
-    return dictionary::numberText(token);
+    constexpr Real unbounded = 1e300;
+    if (highest >= unbounded) return "at least " + shortNumber(lowest);
+    if (lowest <= -unbounded) return "at most " + shortNumber(highest);
+    return "in [" + shortNumber(lowest) + ", " + shortNumber(highest) + "]";
 }
 
 } // namespace
@@ -93,14 +134,11 @@ Vector Dictionary::getDimensionedVector(std::string const& key, std::vector<int>
 
 Real Dictionary::getInRange(std::string const& key, Real lowest, Real highest) const
 {
-    constexpr Real unbounded = 1e300;
+    std::string const range = rangeText(lowest, highest);
+    if (!found(key)) dictionary::refuseMissing(*node_, key, "entry", key + " <number>;   " + range);
     Real const value = get<Real>(key);
-    bool const inside = value >= lowest && value <= highest;
-    if (inside) return value;
-    std::string range = "in [" + text(lowest) + ", " + text(highest) + "]";
-    if (highest >= unbounded) range = "at least " + text(lowest);
-    if (lowest <= -unbounded) range = "at most " + text(highest);
-    throw CaseError(ExitCode::BadInput, where(key), key + " is " + text(value), "allowed: " + range);
+    require(value >= lowest && value <= highest, where(key), key + " is " + shortNumber(value), "allowed: " + range);
+    return value;
 }
 
 Real Dictionary::getInRangeOr(std::string const& key, Real fallback, Real lowest, Real highest) const
@@ -110,6 +148,7 @@ Real Dictionary::getInRangeOr(std::string const& key, Real fallback, Real lowest
 
 std::string Dictionary::getWord(std::string const& key, std::vector<std::string> const& known, std::string const& plural) const
 {
+    if (!found(key)) dictionary::refuseMissing(*node_, key, "entry", key + " <word>;   " + knownWords(plural, {}, known));
     auto const word = get<std::string>(key);
     bool const isKnown = std::find(known.begin(), known.end(), word) != known.end();
     std::string const cut = dictionary::shown(word);

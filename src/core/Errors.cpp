@@ -1,6 +1,9 @@
 #include "core/Errors.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
 #include <vector>
 
 namespace mpsDem {
@@ -50,6 +53,26 @@ int editDistance(std::string const& a, std::string const& b)
         std::swap(last, now);
     }
     return last[columns - 1];
+}
+
+int wordDistance(std::string const& a, std::string const& b)
+{
+    if (a == b) return 0;
+    auto const small = [](std::string text) {
+        std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        return text;
+    };
+    std::string const first = small(a), second = small(b);
+    int const edits = std::max(1, editDistance(first, second));
+    bool const begins = std::min(a.size(), b.size()) >= 3 && (first.starts_with(second) || second.starts_with(first));
+    return begins ? std::min(edits, 2) : edits;
+}
+
+std::string shortNumber(double value)
+{
+    std::array<char, 32> buffer{};
+    auto const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 6).ptr;
+    return {buffer.data(), end};
 }
 
 } // namespace mpsDem

@@ -57,12 +57,19 @@ inline void expect(bool condition, char const* what)
     if (!condition) throw std::logic_error(what);
 }
 
-/// The word of `known` nearest to `word` by edit distance, or empty where none is near (distance above 1 + length/3).
+/// A number for a message: up to six significant digits, no more than it needs ("0.02", "1e-06").
+std::string shortNumber(double value);
+
+/// The word of `known` nearest to `word`, or empty where none is near (wordDistance above 1 + length/3).
 template <class Range>
 std::string nearestWord(std::string const& word, Range const& known);
 
 /// Number of single-character edits (insert, delete, replace, swap of neighbours) from a to b.
 int editDistance(std::string const& a, std::string const& b);
+
+/// How far a word is from one that it may be meant for: their edit distance with capitals as small letters, 1 at least where they differ; 2 at
+/// most where one of them begins with the other (three characters or more).
+int wordDistance(std::string const& a, std::string const& b);
 
 /// Formats "known <plural>: a, b, c   (did you mean b?)" for the second line of a message.
 template <class Range>
@@ -84,10 +91,11 @@ template <class Range>
 std::string nearestWord(std::string const& word, Range const& known)
 {
     std::string best;
+    if (word.empty()) return best;
     int bestDistance = 2 + static_cast<int>(word.size()) / 3;
     for (auto const& name : known)
     {
-        int const distance = editDistance(word, name);
+        int const distance = wordDistance(word, name);
         if (distance < bestDistance)
         {
             bestDistance = distance;

@@ -12,7 +12,9 @@ namespace mpsDem {
 ///
 /// A stage asks for its entry once, in its constructor, and adds to it. A budget reads whatever entries exist, so an effect that is off has none.
 ///   energy:  "energy/collision", "energy/contactDissipated", "energy/contactStored"
-///   impulse: "impulse/gravityOnFluid", "impulse/gravityOnBodies", "impulse/walls", "impulse/contactAndSupport" (from outside on water plus bodies)
+///   impulse: "impulse/gravityOnBodies", "impulse/contactAndSupport"; only for an observer that asks: "impulse/gravityOnFluid",
+///            "impulse/walls" (all from outside on water plus bodies)
+/// A new entry of a stage belongs in the list in Ledger.cpp, too.
 class Ledger
 {
 public:
@@ -23,8 +25,10 @@ public:
     [[nodiscard]] std::map<std::string, Real> const& energies() const { return energies_; }
     [[nodiscard]] std::map<std::string, Vector> const& impulses() const { return impulses_; }
 
+    /// Entries that exist now, and zero for each stage's whose effect is off: nothing was added to it.
     void save(State& state) const;
-    /// Loads the entries that exist now; one that the state lacks stays as it is: its effect or its budget came with the restart.
+    /// Loads the entries that exist now. One of an observer that the state does not know begins at zero, and the log says so.
+    /// @throw CaseError InputOutput where an entry of a stage is missing.
     void load(State const& state);
 
 private:

@@ -14,6 +14,10 @@ namespace {
 /// Largest ratio of added mass to mass at which weak coupling is silent, and at which it is allowed.
 constexpr Real quietRatio = 0.5;
 constexpr Real largestRatio = 0.8;
+/// Steps between two looks at the added mass of a weakly coupled body: it grows where a body comes near a wall, too.
+constexpr std::int64_t checkInterval = 50;
+/// Warnings of added mass, over all bodies.
+constexpr int mostWarnings = 10;
 
 } // namespace
 
@@ -24,7 +28,6 @@ FluidBodyCoupling::Controls FluidBodyCoupling::readControls(Dictionary const& di
     controls.where = dict.where("type");
     controls.mode = type == "strong" ? Mode::Strong : type == "lagged" ? Mode::Lagged : Mode::Weak;
     controls.automatic = type == "auto";
-    controls.weakAbove = dict.getInRangeOr("weakAbove", 2, 0, 1e6);
     controls.addedMassInterval = static_cast<int>(dict.getInRangeOr("addedMassInterval", 10, 1, 1000));
     controls.integration.wetRadius = 1.5 * lattice.spacing;
     controls.integration.radius = 2.1 * lattice.spacing;
@@ -50,14 +53,17 @@ FluidBodyCoupling::FluidBodyCoupling(RigidBody& body, int number, Polyline const
         local_.push_back(toBody * (particles.r[i] - body.centre()));
         localNormal_.push_back(toBody * particles.normal[i]);
     }
-    Real const volume = outline.area() * particles.lattice().thickness;
-    if (controls.automatic) mode_ = body.mass() / volume >= controls.weakAbove * density ? Mode::Weak : Mode::Strong;
     for (int k : {0, 1, 2, 3, 4, 5})
         if (body.freeProjection().col(k).norm() > 0) direction_.push_back(k);
     response_.resize(direction_.size());
 }
 
-char const* FluidBodyCoupling::modeName() const { return mode_ == Mode::Weak ? "weak" : mode_ == Mode::Strong ? "strong" : "lagged"; }
+char const* FluidBodyCoupling::modeName() const
+{
+    if (mode_ == Mode::Strong) return "strong";
+    if (mode_ == Mode::Lagged) return "lagged";
+    return controls_.automatic && checkedWet_ == 0 && !direction_.empty() ? "auto: by the added mass, not known yet" : "weak";
+}
 
 void FluidBodyCoupling::moveParticles(ParticleSet& particles)
 {
@@ -125,35 +131,44 @@ Load FluidBodyCoupling::integrate(ParticleSet const& particles, NeighbourList co
     return surface_.integrate(body_.centre());
 }
 
-bool FluidBodyCoupling::weakIsToBeChecked()
+bool FluidBodyCoupling::weakIsToBeChecked(Step const& step)
 {
     auto const wet = std::count(surface_.wet().begin(), surface_.wet().end(), 1);
-    if (direction_.empty() || body_.locked() || wet <= 2 * checkedWet_) return false;
-    checkedWet_ = wet;
-    return true;
+    if (wet == 0 || direction_.empty() || body_.locked()) return false;
+    return wet > 2 * checkedWet_ || step.number % checkInterval == 0;
 }
 
-void FluidBodyCoupling::checkWeak(ParticleSet const& particles, NeighbourList const& neighbours, Real time,
-                                  PressureResponse const& response)
+void FluidBodyCoupling::decide(Real ratio, std::string const& text)
 {
-    findAddedMass(particles, neighbours, response);
+    if (ratio > quietRatio)
+    {
+        mode_ = Mode::Strong;
+        info() << text << "so type auto is strong from now on" << std::endl;
+    }
+    else if (checkedWet_ == 0)
+        info() << text << "so type auto is weak, up to a ratio of " << quietRatio << std::endl;
+}
+
+void FluidBodyCoupling::checkWeak(Step const& step)
+{
     Real const ratio = addedMassRatio();
     std::ostringstream text;
-    text << "coupling of body \"" << body_.name() << "\": the added mass is " << ratio << " of its mass (time " << time << " s), ";
+    text << "coupling of body \"" << body_.name() << "\": the added mass is " << ratio << " of its mass (time " << step.begin() << " s), ";
     if (controls_.automatic)
-    {
-        if (ratio <= quietRatio) return;
-        mode_ = Mode::Strong;
-        info() << text.str() << "so type auto is strong from now on" << std::endl;
-        return;
-    }
-    if (ratio > largestRatio)
+        decide(ratio, text.str());
+    else if (ratio > largestRatio && step.number == 1)
     {
         text << "and weak coupling is unstable from 1 at any time step";
         throw CaseError(ExitCode::BadInput, controls_.where, text.str(), "type strong or auto; weak up to a ratio of 0.8");
     }
-    text << "weak coupling is unstable from 1 and refused above 0.8; type strong or auto is safe";
-    if (ratio > quietRatio) warn(text.str());
+    Real const limit = ratio > largestRatio ? largestRatio : ratio > quietRatio ? quietRatio : 0;
+    if (mode_ == Mode::Weak && limit > warnedOf_)
+    {
+        text << "and weak coupling is unstable from 1 at any time step; type strong or auto is safe";
+        warn(text.str(), "added mass of weakly coupled bodies", mostWarnings);
+        warnedOf_ = limit;
+    }
+    checkedWet_ = std::count(surface_.wet().begin(), surface_.wet().end(), 1);
 }
 
 void FluidBodyCoupling::load(ParticleSet const& particles, NeighbourList const& neighbours, Step const& step,
@@ -166,8 +181,9 @@ void FluidBodyCoupling::load(ParticleSet const& particles, NeighbourList const& 
     {
         body_.setAddedMass(Matrix6::Zero(), Vector6::Zero());
         body_.fluid = integrate(particles, neighbours);
-        if (!weakIsToBeChecked()) return;
-        checkWeak(particles, neighbours, step.begin(), response);
+        if (!weakIsToBeChecked(step)) return;
+        findAddedMass(particles, neighbours, response);
+        checkWeak(step);
         renew = false; // found just now where the mode has become strong
     }
     if (mode_ != Mode::Weak && !body_.still(step.begin()))
@@ -206,7 +222,6 @@ void FluidBodyCoupling::save(State& state) const
 void FluidBodyCoupling::load(State const& state)
 {
     std::string const prefix = "coupling/" + body_.name() + "/";
-    if (!state.has(prefix + "local")) return; // the initial state: found from the particles
     local_ = state.vectors(prefix + "local");
     localNormal_ = state.vectors(prefix + "localNormal");
     addedMass_ = Eigen::Map<Matrix6 const>(state.reals(prefix + "addedMass").data());

@@ -19,7 +19,7 @@ struct PressureIntegrationControls
     bool porePressure = false; ///< Contact faces carry the pressure of their wet rim instead of none.
 };
 
-/// Quadrature points on the surface of a solid and eqs 15-16 over them.
+/// Quadrature points on the surface of a solid; eq 15 and eq 16 over them.
 ///
 /// The points lie on the exact surface, one in the middle of each piece of at most one spacing, so that sum n dA = 0 for a closed outline
 /// and sum x.n dA / d = V to round-off, whatever the boundary particles do.

@@ -64,6 +64,16 @@ public:
     void save(State& state) const; ///< Blocks "contact/...".
     void load(State const& state);
 
+    /// What sub-steps change: contacts with their history, latches, heat. For a step that is taken again.
+    struct History
+    {
+        std::vector<std::vector<Contact>> contacts; ///< Of each pair.
+        std::vector<Latch> latches;
+        ContactDissipation dissipation;
+    };
+    void copyTo(History& history) const; ///< Reuses its memory.
+    void restore(History const& history);
+
 private:
     struct Target
     {

@@ -119,4 +119,23 @@ void ContactModel::load(State const& state)
     dissipation_ = {energy[0], energy[1]};
 }
 
+void ContactModel::copyTo(History& history) const
+{
+    history.contacts.resize(pairs_.size());
+    for (std::size_t k = 0; k < pairs_.size(); ++k)
+    {
+        history.contacts[k].reserve(pairs_[k].contacts().capacity());
+        history.contacts[k] = pairs_[k].contacts();
+    }
+    history.latches = latches_;
+    history.dissipation = dissipation_;
+}
+
+void ContactModel::restore(History const& history)
+{
+    for (std::size_t k = 0; k < pairs_.size(); ++k) pairs_[k].restore(history.contacts[k]);
+    latches_ = history.latches;
+    dissipation_ = history.dissipation;
+}
+
 } // namespace mpsDem

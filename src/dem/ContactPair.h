@@ -65,6 +65,8 @@ public:
 
     void save(State& state) const;
     void load(State const& state);
+    /// Takes back contacts() of an earlier sub-step.
+    void restore(std::vector<Contact> const& contacts) { contacts_ = contacts; }
 
 private:
     void placeSpheres(std::span<RigidBody* const> bodies) const;

@@ -16,7 +16,8 @@ Fluid::Fluid(Dictionary const& schemes, SchemeSet set, Lattice const& lattice, R
       viscosity_(Viscosity::read(schemes.subDictOrEmpty("viscositySchemes"), lattice, nu, largestDt)),
       collision_(Collision::read(schemes.subDictOrEmpty("collisionSchemes"), set, lattice, density, ledger)),
       shifting_(Shifting::read(schemes.subDictOrEmpty("shiftingSchemes"), set, lattice)),
-      surfaceDamping_(SurfaceDamping::read(schemes.subDictOrEmpty("freeSurfaceSchemes"), set, lattice, radii.gradient, gravity.norm()))
+      surfaceDamping_(SurfaceDamping::read(schemes.subDictOrEmpty("freeSurfaceSchemes"), set, lattice, radii.gradient, gravity.norm())),
+      velocityDamping_(VelocityDamping::read(schemes.subDictOrEmpty("velocityDamping"), lattice, gradientConstants_.n0, gravity.norm()))
 {
     Dictionary const limiters = schemes.subDictOrEmpty("limiters");
     displacementLimit_ = lattice.spacing * limiters.getInRangeOr("displacement", set == SchemeSet::Paper ? 0 : 0.1, 0, 1);
@@ -30,6 +31,7 @@ void Fluid::predict(ParticleSet& particles, NeighbourList const& neighbours, Per
 {
     for (int i : particles.fluid()) particles.uStar[i] = particles.u[i] + dt * gravity_;
     if (surfaceDamping_) surfaceDamping_->addTo(particles, neighbours, dt);
+    if (velocityDamping_) velocityDamping_->addTo(particles, neighbours, images, dt);
     if (viscosity_) viscosity_->addTo(particles, neighbours, images, laplacianConstants_, dt);
 }
 

@@ -7,6 +7,7 @@
 #include "fluid/FreeSurface.h"
 #include "fluid/Shifting.h"
 #include "fluid/SurfaceDamping.h"
+#include "fluid/VelocityDamping.h"
 #include "fluid/Viscosity.h"
 #include "parallel/Reduce.h"
 #include "particles/Gradient.h"
@@ -59,6 +60,12 @@ public:
     /// Times that the displacement limit was needed, since the start of this run and in the last step, over all ranks.
     [[nodiscard]] std::int64_t limited() const { return sumOverRanks(limited_); }
     [[nodiscard]] int limitedNow() const { return sumOverRanks(limitedNow_); }
+    /// The last step is undone: it does not count.
+    void forgetLimited()
+    {
+        limited_ -= limitedNow_;
+        limitedNow_ = 0;
+    }
 
 private:
     ReferenceConstants gradientConstants_, laplacianConstants_;
@@ -70,6 +77,7 @@ private:
     std::unique_ptr<Collision> collision_;
     std::unique_ptr<Shifting> shifting_;
     std::unique_ptr<SurfaceDamping> surfaceDamping_;
+    std::unique_ptr<VelocityDamping> velocityDamping_;
     Real displacementLimit_; ///< [m]; 0: none.
     NegativePressure negativePressure_;
     std::int64_t limited_ = 0; ///< Of this rank, as the next one.

@@ -9,7 +9,7 @@
 
 namespace mpsDem {
 
-/// Finds the fluid particles of the free surface (eqs 9-10 are missing in the paper's text): `freeSurfaceSchemes { type cone; }`.
+/// Finds the fluid particles of the free surface (eq 9 and eq 10 are missing in the paper's text): `freeSurfaceSchemes { type cone; }`.
 ///
 /// With n_i and F_i as numberDensity() leaves them and |F|_0 the value of a plane surface, particle i is on the surface if
 ///   cone           n_i < lowDensity (0.7; 0.65 in 3-D), or |F_i| > 0.5 |F|_0 and no neighbour of any type lies within coneRadius

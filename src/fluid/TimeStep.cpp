@@ -24,18 +24,20 @@ TimeStep::TimeStep(Dictionary const& dict, Lattice const& lattice)
       maxDeltaT_(dict.getInRangeOr("maxDeltaT", 1e300, 1e-12, 1e300))
 {}
 
-Real TimeStep::next(ParticleSet const& particles, Real density, Real last, Real bodySpeed, Real viscousDt) const
+Real TimeStep::limit(ParticleSet const& particles, Real density, Real bodySpeed, Real viscousDt) const
 {
     if (!adjustable_) return deltaT_;
     // What is no number stops the run where the step begins (FluidStage), with the name of the particle.
     Real const speed2 = maxOver(particles.fluid(), bodySpeed * bodySpeed, [&](int i) { return particles.u[i].squaredNorm(); }).value;
     Real const l0 = lattice_.spacing;
-    Real dt = std::min({maxDeltaT_, viscousDt, largestGrowth * last});
+    Real dt = std::min(maxDeltaT_, viscousDt);
     if (speed2 > 0) dt = std::min(dt, maxCo_ * l0 / std::sqrt(speed2));
     Real const p = pressurePercentile(particles);
     if (p > 0) dt = std::min(dt, maxPressureCo_ * l0 / std::sqrt(p / density));
     return dt;
 }
+
+Real TimeStep::next(Real limit, Real last) const { return adjustable_ ? std::min(limit, largestGrowth * last) : limit; }
 
 Real TimeStep::pressurePercentile(ParticleSet const& particles) const
 {

@@ -25,10 +25,13 @@ public:
     [[nodiscard]] Real largest() const { return adjustable_ ? maxDeltaT_ : deltaT_; }
     [[nodiscard]] Real first() const { return deltaT_; }
 
-    /// @param last        Length of the last step before it was cut to meet a write time [s]; first() at the start.
+    /// What the flow allows: all bounds of \f$\Delta t\f$ but that by the last step; deltaT where the step is fixed [s].
     /// @param bodySpeed   Largest speed of a point of a moving body [m/s].
     /// @param viscousDt   Limit of the viscous term [s].
-    [[nodiscard]] Real next(ParticleSet const& particles, Real density, Real last, Real bodySpeed, Real viscousDt) const;
+    [[nodiscard]] Real limit(ParticleSet const& particles, Real density, Real bodySpeed, Real viscousDt) const;
+    /// The next step of what the flow allows [s].
+    /// @param last        Length of the last step before it was cut to meet a write time [s]; first() at the start.
+    [[nodiscard]] Real next(Real limit, Real last) const;
 
     /// Numbers of the last call, for the log: |u| dt / l0, mean and largest.
     struct Courant

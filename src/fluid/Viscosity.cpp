@@ -1,7 +1,10 @@
 #include "fluid/Viscosity.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
+#include <sstream>
 
 #include "fluid/VelocitySystem.h"
 
@@ -11,8 +14,12 @@ namespace {
 
 /// Largest nu dt/dx^2 of the explicit form.
 constexpr Real explicitLimit = 0.125;
-/// Determinant of the second moment, over that of the lattice, below which it isn't inverted.
-constexpr Real smallestDeterminant = 0.1;
+/// nu dt/dx^2 up to which water that slips along its walls has no viscosity to speak of.
+constexpr Real negligible = 1e-5;
+/// Pivot of the system for the pairs' shares below which a particle has too few neighbours around for it; on the lattice 0.2 and more.
+constexpr Real smallestPivot = 0.05;
+/// Bounds of a share; 1 is the largest one at and near the free surface, where neighbours are missing and not far.
+constexpr Real smallestShare = 0.25, largestShare = 1.25;
 
 /// Distance of fluid particle i from the surface of the walls beside it [m], from the wall rows half a spacing behind it; at least a
 /// quarter of a spacing, infinity without walls.
@@ -37,26 +44,55 @@ Real mirrorFactor(ParticleSet const& particles, Real wallDistanceOfI, int i, int
     return std::max(Real(1), apart / wallDistanceOfI);
 }
 
-/// Of each fluid particle, halo included: its second moment of w over that of the lattice, inverted. Identity on the lattice, and where the
-/// moment has no inverse.
+/// e e^T of a unit vector as a list of components whose scalar product is that of the tensors.
 template <int d>
-void inverseMoments(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images,
-                    ReferenceConstants const& laplacian, Field<Tensor>& inverse)
+Eigen::Matrix<Real, d*(d + 1) / 2, 1> dyad(Vector const& e)
 {
+    Eigen::Matrix<Real, d*(d + 1) / 2, 1> v;
+    int k = 0;
+    for (int a = 0; a < d; ++a)
+        for (int b = a; b < d; ++b) v[k++] = (a == b ? 1 : std::numbers::sqrt2) * e[a] * e[b];
+    return v;
+}
+
+/// The symmetric tensor of a list made as by dyad().
+template <int d>
+Tensor tensorOf(Eigen::Matrix<Real, d*(d + 1) / 2, 1> const& v)
+{
+    Tensor all = Tensor::Identity();
+    int k = 0;
+    for (int a = 0; a < d; ++a)
+        for (int b = a; b < d; ++b, ++k) all(a, b) = all(b, a) = v[k] / (a == b ? 1 : std::numbers::sqrt2);
+    return all;
+}
+
+/// Of each fluid particle, halo included, the tensor S with which the second moment of the shares e S e is that of the lattice,
+/// sum_j w_ij r^2 (e S e) e e^T = (n0 lambda/d) I. Identity on the lattice, and where neighbours don't determine it.
+template <int d>
+void shareTensors(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images,
+                  ReferenceConstants const& laplacian, Field<Tensor>& tensor)
+{
+    constexpr int size = d * (d + 1) / 2;
+    using List = Eigen::Matrix<Real, size, 1>;
+    List identity = List::Zero();
+    for (int a = 0; a < d; ++a) identity += dyad<d>(Vector::Unit(a));
     Real const lattice = laplacian.n0 * laplacian.lambda / d;
-    inverse.reserve(particles.r.capacity());
-    inverse.assign(particles.r.size(), Tensor::Identity());
+    tensor.reserve(particles.r.capacity());
+    tensor.assign(particles.r.size(), Tensor::Identity());
     for (int i : particles.fluid())
     {
-        Eigen::Matrix<Real, d, d> moment = Eigen::Matrix<Real, d, d>::Zero();
+        Eigen::Matrix<Real, size, size> system = Eigen::Matrix<Real, size, size>::Zero();
         for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
         {
-            auto const rij = (particles.r[neighbours.index()[k]] - particles.r[i]).template head<d>().eval();
-            moment += neighbours.laplacianWeight()[k] / lattice * rij * rij.transpose();
+            Vector const rij = particles.r[neighbours.index()[k]] - particles.r[i];
+            Real const r2 = rij.squaredNorm();
+            List const v = dyad<d>(rij / std::sqrt(r2 + tiny));
+            system += neighbours.laplacianWeight()[k] * r2 / lattice * v * v.transpose();
         }
-        if (moment.determinant() > smallestDeterminant) inverse[i].template topLeftCorner<d, d>() = moment.inverse();
+        auto const factors = system.ldlt();
+        if (factors.vectorD().minCoeff() > smallestPivot) tensor[i] = tensorOf<d>(factors.solve(identity));
     }
-    images.update(inverse, particles.halo());
+    images.update(tensor, particles.halo());
 }
 
 /// What a pair takes of eq 6's factor in a disordered cloud.
@@ -67,26 +103,27 @@ public:
                 ReferenceConstants const& laplacian)
     {
         if (particles.lattice().dimensions == 2)
-            inverseMoments<2>(particles, neighbours, images, laplacian, inverse_);
+            shareTensors<2>(particles, neighbours, images, laplacian, tensor_);
         else
-            inverseMoments<3>(particles, neighbours, images, laplacian, inverse_);
+            shareTensors<3>(particles, neighbours, images, laplacian, tensor_);
     }
 
     /// Mean of both particles' shares; that of i where j is no fluid.
     [[nodiscard]] Real share(ParticleSet const& particles, int i, int j) const
     {
         Vector const rij = particles.r[j] - particles.r[i];
-        Real const own = along(inverse_[i], rij);
-        return particles.isFluid(j) ? 0.5 * (own + along(inverse_[j], rij)) : own;
+        Real const own = along(particles, i, rij);
+        return particles.isFluid(j) ? 0.5 * (own + along(particles, j, rij)) : own;
     }
 
 private:
-    static Real along(Tensor const& inverse, Vector const& rij)
+    [[nodiscard]] Real along(ParticleSet const& particles, int i, Vector const& rij) const
     {
-        return std::min(Real(1), rij.dot(inverse * rij) / (rij.squaredNorm() + tiny));
+        Real const most = particles.surface[i] == SurfaceLabel::Interior ? largestShare : 1;
+        return std::clamp(rij.dot(tensor_[i] * rij) / (rij.squaredNorm() + tiny), smallestShare, most);
     }
 
-    Field<Tensor> inverse_;
+    Field<Tensor> tensor_;
 };
 
 class Explicit final : public Viscosity
@@ -181,12 +218,25 @@ private:
 
 } // namespace
 
+std::string Viscosity::whyAbsent(Dictionary const& dict, Lattice const& lattice, Real nu, Real largestDt)
+{
+    std::string const type = dict.getWordOr("type", "auto", {"none", "explicit", "implicit", "auto"}, "viscosity schemes");
+    bool const slip = dict.getWordOr("walls", "slip", {"slip", "noSlip"}, "wall conditions") == "slip";
+    if (nu == 0) return "nu 0";
+    if (type == "none") return "mpsSchemes/viscositySchemes: type none";
+    Real const diffusion = nu * largestDt / (lattice.spacing * lattice.spacing);
+    if (type != "auto" || !slip || diffusion > negligible) return "";
+    std::ostringstream why;
+    why << "mpsSchemes/viscositySchemes: type auto, walls slip and nu dt/dx^2 <= " << diffusion << " has no effect";
+    return why.str();
+}
+
 std::unique_ptr<Viscosity> Viscosity::read(Dictionary const& dict, Lattice const& lattice, Real nu, Real largestDt)
 {
     std::string const type = dict.getWordOr("type", "auto", {"none", "explicit", "implicit", "auto"}, "viscosity schemes");
     bool const noSlip = dict.getWordOr("walls", "slip", {"slip", "noSlip"}, "wall conditions") == "noSlip";
     Real const tolerance = dict.getInRangeOr("tolerance", 1e-8, 1e-14, 0.1);
-    if (type == "none" || nu == 0) return nullptr;
+    if (!whyAbsent(dict, lattice, nu, largestDt).empty()) return nullptr;
     bool const stiff = nu * largestDt > explicitLimit * lattice.spacing * lattice.spacing;
     if (type == "implicit" || (type == "auto" && stiff)) return std::make_unique<Implicit>(nu, noSlip, tolerance);
     return std::make_unique<Explicit>(lattice, nu, noSlip);

@@ -20,6 +20,7 @@ public:
 
     void execute(Step const&) override {}
     void write(Step const& step) override;
+    void report(std::ostream& os) const override { table_.printLast(os); }
 
 private:
     [[nodiscard]] Real value(std::string const& field, int i) const;

@@ -105,4 +105,12 @@ void Forces::write(Step const& step)
     tables_[1].add(step.time, moments);
 }
 
+void Forces::report(std::ostream& os) const
+{
+    os << "force ";
+    tables_[0].printLast(os);
+    os << "; moment ";
+    tables_[1].printLast(os);
+}
+
 } // namespace mpsDem

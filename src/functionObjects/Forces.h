@@ -27,6 +27,7 @@ public:
 
     void execute(Step const&) override {}
     void write(Step const& step) override;
+    void report(std::ostream& os) const override;
 
     /// On one fixed surface, moment about CofR.
     [[nodiscard]] Load wallLoad(int surface) const;

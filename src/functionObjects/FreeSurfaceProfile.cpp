@@ -74,6 +74,7 @@ Real FreeSurfaceProfile::wantedTime(Real t) const
 
 void FreeSurfaceProfile::execute(Step const& step)
 {
+    written_.clear();
     Real const slack = 1e-6 * step.dt;
     for (Real const time : times_)
         if (step.begin() + slack < time && time <= step.time + slack) writeProfile(step.time);
@@ -115,7 +116,8 @@ void FreeSurfaceProfile::writeProfile(Real time)
         addNumber(table, *eta);
         table += '\n';
     }
-    atomicWrite(folder_ / ("profile_" + startTimeName(time) + ".dat"), table, Durability::Process);
+    written_ = "profile_" + startTimeName(time) + ".dat";
+    atomicWrite(folder_ / written_, table, Durability::Process);
 }
 
 } // namespace mpsDem

@@ -26,6 +26,7 @@ public:
 
     void execute(Step const& step) override;
     void write(Step const& step) override;
+    void report(std::ostream& os) const override { os << written_; }
     [[nodiscard]] Real wantedTime(Real t) const override;
 
 private:
@@ -40,7 +41,8 @@ private:
     std::vector<Real> times_; ///< Ascending [s].
     std::optional<Vector> from_, to_;
     Real spacing_ = 0;
-    int count_ = 0; ///< 0: from the spacing.
+    int count_ = 0;       ///< 0: from the spacing.
+    std::string written_; ///< In this step.
 };
 
 } // namespace mpsDem

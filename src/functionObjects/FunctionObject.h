@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,8 @@ public:
     virtual void write(Step const& step) = 0;
     /// The next time after t at which a step shall end exactly [s], beside those of its time controls.
     [[nodiscard]] virtual Real wantedTime(Real) const { return std::numeric_limits<Real>::infinity(); }
+    /// What was written last, in one line without its end; nothing where the line would not tell more.
+    virtual void report(std::ostream&) const {}
     /// State that must survive a restart (most have none).
     virtual void save(State&) const {}
     virtual void load(State const&) {}
@@ -77,6 +80,8 @@ private:
         std::unique_ptr<FunctionObject> object;
         TimeControl executeControl, writeControl;
         Real timeStart, timeEnd; ///< [s]
+        std::string type;
+        bool log; ///< A line in the log for each write.
     };
     std::vector<Entry> entries_;
 };

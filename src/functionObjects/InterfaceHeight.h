@@ -22,6 +22,7 @@ public:
 
     void execute(Step const&) override {}
     void write(Step const& step) override;
+    void report(std::ostream& os) const override { table_.printLast(os); }
 
 private:
     std::vector<Vector> locations_;

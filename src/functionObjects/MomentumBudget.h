@@ -23,6 +23,7 @@ public:
 
     void execute(Step const&) override {}
     void write(Step const& step) override;
+    void report(std::ostream& os) const override { table_.printLast(os); }
     void save(State& state) const override;
     void load(State const& state) override;
 

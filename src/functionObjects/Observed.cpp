@@ -1,8 +1,6 @@
 #include "functionObjects/Observed.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 #include "core/Errors.h"
@@ -11,13 +9,6 @@
 namespace mpsDem {
 
 namespace {
-
-std::string shortNumber(Real value)
-{
-    std::array<char, 32> buffer{};
-    auto const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 6).ptr;
-    return {buffer.data(), end};
-}
 
 bool isPlain(char c)
 {

@@ -110,4 +110,13 @@ void Probes::write(Step const& step)
     for (std::size_t f = 0; f < tables_.size(); ++f) tables_[f].add(step.time, rows[f]);
 }
 
+void Probes::report(std::ostream& os) const
+{
+    for (std::size_t f = 0; f + 1 < tables_.size(); ++f) // the last is that of the counts
+    {
+        if (f > 0) os << ", ";
+        tables_[f].printLast(os);
+    }
+}
+
 } // namespace mpsDem

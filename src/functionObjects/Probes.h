@@ -29,6 +29,7 @@ public:
 
     void execute(Step const&) override {}
     void write(Step const& step) override;
+    void report(std::ostream& os) const override;
 
 private:
     struct Sample

@@ -69,6 +69,17 @@ void SixDoFRigidBodyState::write(Step const& step)
     }
 }
 
+void SixDoFRigidBodyState::report(std::ostream& os) const
+{
+    char const* separator = "";
+    for (Watched const& watched : watched_)
+    {
+        os << separator << watched.body.name() << ' ';
+        watched.table.printLast(os);
+        separator = "; ";
+    }
+}
+
 std::string SixDoFRigidBodyState::block(Watched const& watched) const
 {
     return "functionObject/" + name_ + "/" + watched.body.name() + "/start";

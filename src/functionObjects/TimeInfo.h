@@ -18,6 +18,7 @@ public:
 
     void execute(Step const&) override {}
     void write(Step const& step) override;
+    void report(std::ostream& os) const override { table_.printLast(os); }
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/Errors.h"
@@ -34,36 +35,59 @@ std::string ownName()
     return std::to_string(::getpid()) + " on " + host.data() + "\n";
 }
 
+/// Takes the lock. @return False, with a warning, where the file system knows none. @throw CaseError (Locked), the file closed.
+bool lock(int descriptor, Location const& where)
+{
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return true;
+    int const code = errno;
+    if (code == EWOULDBLOCK)
+    {
+        std::string const process = holder(descriptor);
+        ::close(descriptor);
+        throw CaseError(ExitCode::Locked, where, "the case is in use by process " + (process.empty() ? "(unknown)" : process),
+                        "wait for its end or stop it; the lock file itself need not be removed");
+    }
+    warn(where.file + " cannot be locked (" + reason(code) + "): nothing keeps a second run out of this case");
+    return false;
+}
+
+/// Whether the open file still is the one at the path.
+bool isFile(int descriptor, std::filesystem::path const& path)
+{
+    struct stat own
+    {
+    }, there{};
+    return ::fstat(descriptor, &own) == 0 && ::stat(path.c_str(), &there) == 0 && own.st_dev == there.st_dev && own.st_ino == there.st_ino;
+}
+
 } // namespace
 
-CaseLock::CaseLock(std::filesystem::path const& caseFolder)
+CaseLock::CaseLock(std::filesystem::path const& caseFolder) : path_(caseFolder / ".mpsDem.lock")
 {
-    std::filesystem::path const path = caseFolder / ".mpsDem.lock";
-    Location const where{path.string(), 0, {}};
-    descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) throw CaseError(ExitCode::InputOutput, where, "cannot open the lock of the case: " + reason(errno));
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
+    Location const where{path_.string(), 0, {}};
+    while (true)
     {
-        int const code = errno;
-        if (code == EWOULDBLOCK)
-        {
-            std::string const process = holder(descriptor_);
-            ::close(descriptor_);
-            throw CaseError(ExitCode::Locked, where, "the case is in use by process " + (process.empty() ? "(unknown)" : process),
-                            "wait for its end or stop it; the lock file itself need not be removed");
-        }
-        warn(path.string() + " cannot be locked (" + reason(code) + "): nothing keeps a second run out of this case");
+        descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        if (descriptor_ < 0) throw CaseError(ExitCode::InputOutput, where, "cannot open the lock of the case: " + reason(errno));
+        locked_ = lock(descriptor_, where);
+        // Between open and flock the one that held the file may have removed it: then this lock keeps nobody out.
+        if (!locked_ || isFile(descriptor_, path_)) break;
+        ::close(descriptor_);
     }
     std::string const name = ownName();
     bool const written = ::ftruncate(descriptor_, 0) == 0 && ::pwrite(descriptor_, name.data(), name.size(), 0) == std::ssize(name);
-    if (!written)
-    {
-        int const code = errno;
-        ::close(descriptor_);
-        throw CaseError(ExitCode::InputOutput, where, "cannot write the lock of the case: " + reason(code));
-    }
+    if (written) return;
+    int const code = errno;
+    remove();
+    throw CaseError(ExitCode::InputOutput, where, "cannot write the lock of the case: " + reason(code));
 }
 
-CaseLock::~CaseLock() { ::close(descriptor_); }
+CaseLock::~CaseLock() { remove(); }
+
+void CaseLock::remove() const
+{
+    if (locked_) ::unlink(path_.c_str());
+    ::close(descriptor_);
+}
 
 } // namespace mpsDem

@@ -209,8 +209,8 @@ void writeInitialState(fs::path const& timeFolder, State const& state, Checkpoin
 {
     fs::path const part = withSuffix(timeFolder, partSuffix);
     cleanlyWrite(part, [&] {
-        makeFolder(timeFolder);
         writeFolder(part, state, info);
+        makeFolder(timeFolder);
         moveFile(part / stateName, timeFolder / stateName);
         moveFile(part / manifestName, timeFolder / manifestName);
         syncFolder(timeFolder);

@@ -16,7 +16,7 @@ struct CheckpointInfo
     Real time = 0;         ///< [s]
     std::int64_t step = 0; ///< Steps done since the start of the first run.
     std::string codeVersion;
-    std::string inputHash;            ///< Of the dictionaries that the state was made with.
+    std::string inputHash;            ///< Of the dictionaries that the state was made with, see scene/InputFingerprint.h.
     std::vector<std::string> effects; ///< Which effects were present, a line each.
     std::int64_t sequence = 0;        ///< Set by the writer: 1 + the largest in the folder. The newest checkpoint is the one written last.
 };

@@ -80,6 +80,14 @@ void TableFile::add(Real time, std::span<Real const> values)
     for (Real const value : values) line += " " + cell(value, options_.precision, width);
     endLine(line);
     out_->write(line);
+    last_.assign(values.begin(), values.end());
+}
+
+void TableFile::printLast(std::ostream& os) const
+{
+    std::size_t const shown = std::min<std::size_t>(last_.size(), 8);
+    for (std::size_t k = 0; k < shown; ++k) os << (k > 0 ? ", " : "") << columns_[k] << " = " << cell(last_[k], 6, 0);
+    if (shown < last_.size()) os << ", ... (" << last_.size() << " columns)";
 }
 
 } // namespace mpsDem

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <ostream>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,6 +39,9 @@ public:
     /// @throw CaseError (InputOutput)
     void add(Real time, std::span<Real const> values);
 
+    /// Writes the last row in one line, "eta0 = 0.1, eta1 = 0.2", the first eight columns at most; nothing before the first row.
+    void printLast(std::ostream& os) const;
+
     /// Path of the file in use; of the folder before the first row.
     [[nodiscard]] std::filesystem::path const& path() const { return path_; }
 
@@ -49,6 +53,7 @@ private:
     std::string startTime_;
     std::vector<std::string> columns_;
     Options options_;
+    std::vector<Real> last_; ///< Row.
     std::unique_ptr<OutputFile> out_;
 };
 

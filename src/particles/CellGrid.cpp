@@ -2,8 +2,54 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "core/Errors.h"
 
 namespace mpsDem {
+
+namespace {
+
+/// Cells allowed: enough for clouds with holes, and few enough to be counted.
+constexpr Real cellsPerPoint = 8;
+constexpr Real fewestCells = 1000;
+
+/// Lower and upper corner of the points; zeros where there is none.
+struct Extent
+{
+    Vector low = Vector::Zero(), high = Vector::Zero();
+};
+
+/// @throw CaseError NotFinite, naming the first point that is no number, or where the extent is none.
+Extent extentOf(std::span<Vector const> positions)
+{
+    Extent extent;
+    if (!positions.empty()) extent.low = extent.high = positions.front();
+    Real sum = 0; // stays finite only if all are: a comparison with what is no number is just false
+    for (Vector const& r : positions)
+    {
+        extent.low = extent.low.cwiseMin(r);
+        extent.high = extent.high.cwiseMax(r);
+        sum += r.sum();
+    }
+    if (std::isfinite(sum) && (extent.high - extent.low).allFinite()) return extent;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+    {
+        if (positions[i].allFinite()) continue;
+        std::ostringstream text;
+        text << "position of point " << i << " of " << positions.size() << " is not a finite number: (" << positions[i].transpose()
+             << ") m";
+        throw CaseError(ExitCode::NotFinite, text.str(), "the last checkpoint is whole; a smaller maxCo or maxDeltaT may help");
+    }
+    if ((extent.high - extent.low).allFinite()) return extent;
+    std::ostringstream text;
+    text << "points from (" << extent.low.transpose() << ") m to (" << extent.high.transpose()
+         << ") m: their distance is not a finite number";
+    throw CaseError(ExitCode::NotFinite, text.str(), "the last checkpoint is whole; a smaller maxCo or maxDeltaT may help");
+}
+
+} // namespace
 
 int CellGrid::cellOf(Vector const& r) const
 {
@@ -12,15 +58,14 @@ int CellGrid::cellOf(Vector const& r) const
 
 void CellGrid::build(std::span<Vector const> positions, Real cellSize, int dimensions)
 {
-    Vector low = Vector::Zero(), high = Vector::Zero();
-    if (!positions.empty()) low = high = positions.front();
-    for (Vector const& r : positions)
-    {
-        low = low.cwiseMin(r);
-        high = high.cwiseMax(r);
-    }
+    if (!(cellSize > 0) || !std::isfinite(cellSize))
+        throw CaseError(ExitCode::NotFinite, "cell size of a grid is " + shortNumber(cellSize) + " m", "a positive number");
+    auto const [low, high] = extentOf(positions);
+    Real const most = cellsPerPoint * static_cast<Real>(positions.size()) + fewestCells;
+    if (most > std::numeric_limits<int>::max())
+        throw CaseError(ExitCode::Memory, std::to_string(positions.size()) + " points are more than one grid of cells can number",
+                        "at most 2.6e8 on one rank");
     origin_ = low;
-    Real const most = 8.0 * static_cast<Real>(positions.size()) + 1000;
     Real size = cellSize;
     for (;; size *= 1.25)
     {

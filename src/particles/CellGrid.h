@@ -14,9 +14,11 @@ class CellGrid
 {
 public:
     /// Sorts positions into cells.
-    /// @param positions  N points [m], all finite.
+    /// @param positions  N points [m].
     /// @param cellSize   Edge of a cell [m]; made larger where a few far particles would ask for more than 8 N + 1000 cells.
     /// @param dimensions 2 or 3.
+    /// @throw CaseError NotFinite for a position or a cell size that is no number, and for points further apart than a number can tell;
+    ///        Memory for more points than cells can be counted for.
     void build(std::span<Vector const> positions, Real cellSize, int dimensions);
 
     /// Numbers of the particles, cell by cell.
@@ -66,7 +68,8 @@ private:
     [[nodiscard]] int coordinate(Real x, int d) const
     {
         Real const c = (x - origin_[d]) * inverseSize_;
-        return c <= 0 ? 0 : c >= count_[d] - 1 ? count_[d] - 1 : static_cast<int>(c);
+        if (!(c > 0)) return 0; // no number: as good as any other cell
+        return c >= count_[d] - 1 ? count_[d] - 1 : static_cast<int>(c);
     }
 
     Vector origin_ = Vector::Zero();

@@ -9,6 +9,13 @@ PeriodicImages::PeriodicImages(Vector const& low, Vector const& high) : low_(low
     for (int d = 0; d < 3; ++d) periodic_[d] = high[d] > low[d];
 }
 
+bool PeriodicImages::contains(Vector const& r) const
+{
+    for (int d = 0; d < 3; ++d)
+        if (periodic_[d] && (r[d] < low_[d] || r[d] >= high_[d])) return false;
+    return true;
+}
+
 void PeriodicImages::wrap(ParticleSet& particles) const
 {
     for (int d = 0; d < 3; ++d)

@@ -16,6 +16,9 @@ public:
 
     [[nodiscard]] bool any() const { return periodic_[0] || periodic_[1] || periodic_[2]; }
 
+    /// False for a point outside of the box in a periodic direction: an image stands there, if anything.
+    [[nodiscard]] bool contains(Vector const& r) const;
+
     /// Moves particles that have left the box to the other side.
     void wrap(ParticleSet& particles) const;
     /// Makes the halo: images within `reach` of the box, with all state of their originals.

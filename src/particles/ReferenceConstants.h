@@ -9,7 +9,7 @@ namespace mpsDem {
 struct ReferenceConstants
 {
     Real n0;           ///< Particle number density n^0 = sum of w [-].
-    Real lambda;       ///< Eq 7 [m2].
+    Real lambda;       ///< eq 7 [m2].
     Real planeSurface; ///< |F|_0, length of the surface vector of a particle on a plane free surface [-].
 
     /// Factor 2 d / (n0 lambda) of eq 6 [1/m2].

@@ -13,6 +13,26 @@ namespace {
 
 /// Residual of the added-mass solves: their result is a coefficient, not a state.
 constexpr Real responseTolerance = 1e-3;
+/// A particle this far behind the plane of a wall particle lies on another side of the solid, in spacings.
+constexpr Real beyond = 0.5;
+/// The same for fluid straight behind: nearer, it lies at the only wall row that a body thinner than 1.75 spacings has for both sides.
+constexpr Real straightBeyond = 1.5;
+constexpr Real straight = 0.9; ///< Cosine from which a direction is straight.
+
+/// Whether fluid at distance r, `behind` the plane of a wall particle, is on another side of the solid.
+bool isBeyond(Real behind, Real r, Real spacing) { return behind > (behind > straight * r ? straightBeyond : beyond) * spacing; }
+
+/// Whether two particles face each other through a solid: pressure does not act that way.
+bool solidBetween(ParticleSet const& particles, int i, int j)
+{
+    bool const fluidI = particles.isFluid(i), fluidJ = particles.isFluid(j);
+    if (fluidI && fluidJ) return false;
+    Real const spacing = particles.lattice().spacing;
+    Vector const rij = particles.r[j] - particles.r[i];
+    Real const behindI = -rij.dot(particles.normal[i]), behindJ = rij.dot(particles.normal[j]);
+    if (fluidI || fluidJ) return isBeyond(fluidI ? behindJ : behindI, rij.norm(), spacing);
+    return particles.body[i] == particles.body[j] && behindI > beyond * spacing && behindJ > beyond * spacing;
+}
 
 } // namespace
 
@@ -85,7 +105,7 @@ void PressureEquation::appendRow(ParticleSet const& particles, NeighbourList con
     {
         int const j = neighbours.index()[k];
         bool const carries = particles.isFluid(j) || (particles.type[j] == ParticleType::Wall && particles.wet[j]);
-        if (w[k] <= 0 || !carries) continue;
+        if (w[k] <= 0 || !carries || solidBetween(particles, i, j)) continue;
         Real const a = factor * w[k];
         diagonal += a;
         if (particles.surface[j] == SurfaceLabel::Surface)
@@ -173,12 +193,12 @@ SolveReport PressureEquation::solve(ParticleSet& particles, NeighbourList const&
     return report;
 }
 
-SolveReport PressureEquation::response(ParticleSet const& particles, NeighbourList const& neighbours, Field<Vector> const& acceleration,
-                                       Field<Real>& pressure)
+SolveReport PressureEquation::response(ParticleSet const& particles, NeighbourList const& neighbours, Step const& step,
+                                       Field<Vector> const& acceleration, Field<Real>& pressure)
 {
     right_.assign(particle_.size(), 0);
     solution_.assign(particle_.size(), 0);
-    Real const factor = lattice_.dimensions / gradientConstants_.n0;
+    Real const factor = source_.divergenceShare(step) * lattice_.dimensions / gradientConstants_.n0;
     Real const* const w = neighbours.gradientWeight();
     int const boundary = particles.boundary().last;
     auto const of = [&](int j) { return j < boundary ? acceleration[j] : Vector(Vector::Zero()); };
@@ -186,7 +206,7 @@ SolveReport PressureEquation::response(ParticleSet const& particles, NeighbourLi
     {
         int const i = particle_[row];
         if (!isUnknown(particles, i)) continue;
-        Real sum = 0; // div a, eq 5: rho div(u* + dt a)/dt has the part rho div a
+        Real sum = 0; // div a, eq 5
         for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
         {
             int const j = neighbours.index()[k];

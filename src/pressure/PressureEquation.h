@@ -13,7 +13,7 @@ namespace mpsDem {
 /// Eq 8: the pressure Poisson equation of a step, one row per wet particle.
 ///
 /// \f[ \frac{2d}{n^0\lambda}\sum_{j} w_{ij}\,(p_i - p_j) = -b_i \f]
-/// over fluid and wet wall particles j. The pressure of surface particles is given (Dirichlet: SurfacePressure, or 0); dry walls and ghosts
+/// over fluid and wet wall particles j that do not face i through a solid (edges, thin bodies). The pressure of surface particles is given (Dirichlet: SurfacePressure, or 0); dry walls and ghosts
 /// have no place in it. The matrix is a symmetric M-matrix. Groups of particles without a given pressure in reach (a closed box, an island
 /// in flight) are found by a flood fill: up to three particles get p = 0, larger groups have their right side made compatible and their
 /// lowest pressure set to zero.
@@ -35,10 +35,11 @@ public:
     /// @throw CaseError Solver or NotFinite, naming particle and place.
     SolveReport solve(ParticleSet& particles, NeighbourList const& neighbours, Step const& step);
 
-    /// Pressure that a unit of wall acceleration causes, at the end of a step of given matrix: for the added mass of bodies.
+    /// Change of pressure where u* of the walls changes by dt times an acceleration, for the matrix and the gamma of the step: for the
+    /// added mass of bodies. \f[ \langle\nabla^2 p\rangle_i = (1-\gamma)\,\rho\,\nabla\cdot\mathbf a_i \f]
     /// @param acceleration  Of every boundary particle [m/s2], length boundary().last.
     /// @param pressure      Result for all owned particles [Pa].
-    SolveReport response(ParticleSet const& particles, NeighbourList const& neighbours, Field<Vector> const& acceleration,
+    SolveReport response(ParticleSet const& particles, NeighbourList const& neighbours, Step const& step, Field<Vector> const& acceleration,
                          Field<Real>& pressure);
 
     [[nodiscard]] int unknowns() const { return unknowns_; } ///< Of all ranks.

@@ -8,6 +8,7 @@ namespace mpsDem {
 namespace {
 
 constexpr int unseen = -2, reached = -1;
+constexpr std::size_t usualGroups = 64; ///< Room from the start; more allocate.
 
 } // namespace
 
@@ -31,6 +32,9 @@ void PressureGroups::flood(SparseMatrix const& matrix, int seed, int label)
 
 void PressureGroups::find(SparseMatrix const& matrix, Field<std::uint8_t> const& pinned)
 {
+    group_.reserve(matrix.rowStart.capacity()); // the number of rows changes from step to step
+    stack_.reserve(matrix.rowStart.capacity());
+    size_.reserve(usualGroups);
     group_.assign(static_cast<std::size_t>(matrix.rows), unseen);
     size_.clear();
     for (int row = 0; row < matrix.rows; ++row)

@@ -8,6 +8,7 @@ namespace mpsDem {
 
 /// Right side of eq 8: `sourceSchemes { type mixed; }`.
 /// \f[ \langle\nabla^2 p\rangle_i = (1-\gamma)\frac{\rho}{\Delta t}\nabla\cdot\mathbf u_i^* - \gamma\frac{\rho}{\Delta t^2} e_i,\qquad e_i = \frac{n_i-n^0}{n^0} \f]
+/// With this right side the pressure enforces eq 1, which is div u = 0 where the density is constant: u* has a divergence, u^{m+1} has none.
 /// On walls e = 0. With a relaxation time tau instead of gamma: gamma = min(dt/tau, maxGamma), so that density errors decay in the
 /// time tau whatever the time step, and the noise does not grow as dt falls.
 ///
@@ -25,6 +26,9 @@ public:
 
     /// gamma of this step [-].
     [[nodiscard]] Real gamma(Step const& step) const;
+
+    /// Share of rho div u*/dt in the right side: 1 - gamma, 0 where the term is off [-].
+    [[nodiscard]] Real divergenceShare(Step const& step) const { return type_ == Type::Density ? 0 : 1 - gamma(step); }
 
     /// Right side of eq 8 for particle i [Pa/m2].
     [[nodiscard]] Real evaluate(ParticleSet const& particles, NeighbourList const& neighbours, ReferenceConstants const& constants,

@@ -85,8 +85,7 @@ BodyShape readBodyShape(std::string const& name, Dictionary const& body, Lattice
     }
     Real const least = std::min(high.x() - low.x(), high.y() - low.y());
     require(least >= lattice.spacing, result.where,
-            "body \"" + name + "\" is " + std::to_string(least) + " m wide, less than the spacing of " + std::to_string(lattice.spacing) +
-                " m",
+            "body \"" + name + "\" is " + shortNumber(least) + " m wide, less than the spacing of " + shortNumber(lattice.spacing) + " m",
             "a smaller spacing in constant/particleProperties");
     return result;
 }

@@ -93,6 +93,18 @@ Real largestKernelRadius(CaseFolder const& caseFolder)
     return schemes ? readRadii(*schemes, 1).largest() : defaultRadius;
 }
 
+PeriodicImages readPeriodicBox(Dictionary const& mpsSchemes)
+{
+    Dictionary const cyclic = mpsSchemes.subDictOrEmpty("cyclic");
+    Vector const none = Vector::Zero();
+    return {cyclic.getOr<Vector>("min", none), cyclic.getOr<Vector>("max", none)};
+}
+
+PeriodicImages readPeriodicBox(CaseFolder const& caseFolder)
+{
+    return readPeriodicBox(caseFolder.readIfPresent("system/mpsSchemes").value_or(Dictionary()));
+}
+
 Real readStartTime(CaseFolder const& caseFolder)
 {
     return caseFolder.read("system/controlDict").getInRangeOr("startTime", 0, -largest, largest);

@@ -8,6 +8,7 @@
 #include "core/Types.h"
 #include "particles/Lattice.h"
 #include "particles/NeighbourList.h"
+#include "particles/PeriodicImages.h"
 
 namespace mpsDem {
 
@@ -51,6 +52,10 @@ Radii readRadii(Dictionary const& mpsSchemes, Real spacing);
 
 /// The largest of them over the spacing; 2.1 where the file is absent.
 Real largestKernelRadius(CaseFolder const& caseFolder);
+
+/// The periodic box `cyclic { min (..); max (..); }` of system/mpsSchemes; no periodic direction without it.
+PeriodicImages readPeriodicBox(Dictionary const& mpsSchemes);
+PeriodicImages readPeriodicBox(CaseFolder const& caseFolder);
 
 /// Start time of a new run [s], `startTime` of system/controlDict (default 0), and the name of its folder.
 Real readStartTime(CaseFolder const& caseFolder);

@@ -10,11 +10,11 @@ namespace mpsDem {
 class Effects
 {
 public:
-    /// Adds a line. @param why  What switched it on or off: a file, an entry, a mode.
+    /// Adds a line. @param why  What switched it on or off: an entry and what it says, a default, a file that is there or not. Not empty.
     void add(std::string const& name, bool on, std::string const& why) { entries_.push_back({name, on, why}); }
     /// Writes the list to the log.
     void print(std::ostream& os) const;
-    /// "name on|off why" of each, for the manifest of a checkpoint.
+    /// "name on|off" of each, for the manifest of a checkpoint.
     [[nodiscard]] std::vector<std::string> lines() const;
 
 private:

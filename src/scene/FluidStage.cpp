@@ -17,13 +17,6 @@ namespace {
 /// Share of the fluid that may be lost before the run is stopped.
 constexpr Real largestLoss = 1e-3;
 
-PeriodicImages readImages(Dictionary const& schemes)
-{
-    Dictionary const cyclic = schemes.subDictOrEmpty("cyclic");
-    Vector const none = Vector::Zero();
-    return {cyclic.getOr<Vector>("min", none), cyclic.getOr<Vector>("max", none)};
-}
-
 } // namespace
 
 FluidStage::FluidStage(ParticleSet& particles, std::vector<Polyline> const& walls, FluidSetup const& setup, Ledger& ledger)
@@ -33,7 +26,7 @@ FluidStage::FluidStage(ParticleSet& particles, std::vector<Polyline> const& wall
       radii_(readRadii(setup.schemes, particles.lattice().spacing)),
       labeller_(BoundaryLabeller::read(setup.schemes.subDictOrEmpty("boundarySchemes"), particles.lattice())),
       neighbours_(radii_, labeller_->needsAllWalls()),
-      images_(readImages(setup.schemes)),
+      images_(readPeriodicBox(setup.schemes)),
       fluid_(setup.schemes, readSchemeSet(setup.schemes), particles.lattice(), radii_, setup.density, setup.nu, setup.gravity,
              setup.largestDt, ledger)
 {
@@ -70,6 +63,13 @@ FluidStage::FluidStage(ParticleSet& particles, std::vector<Polyline> const& wall
 }
 
 FluidStage::~FluidStage() = default;
+
+void FluidStage::requireWallsInside(Location const& where) const
+{
+    for (int i : particles_.boundary())
+        require(images_.contains(particles_.r[i]), where, "the initial state has boundary particles outside of the periodic box",
+                "run setParticles with this box");
+}
 
 void FluidStage::updateNeighbours(Step const& step)
 {
@@ -159,7 +159,7 @@ void FluidStage::checkFinite(Range const& range, Step const& step) const
              << ") m/s, p = " << particles_.p[i] << " Pa";
         throw CaseError(ExitCode::NotFinite, text.str(), help);
     }
-    throw CaseError(ExitCode::NotFinite, "time " + std::to_string(step.time) + " s: velocities are too large to be summed", help);
+    throw CaseError(ExitCode::NotFinite, "time " + shortNumber(step.time) + " s: velocities are too large to be summed", help);
 }
 
 std::int64_t FluidStage::escaped() const { return sumOverRanks(escaped_); }
@@ -198,10 +198,26 @@ void FluidStage::sortAndCheck(Step const& step)
         warn(text.str(), "escaped", 10);
     }
     particles_.reorderFluid(order_);
-    std::int64_t const lost = escaped();
-    if (static_cast<Real>(lost) > largestLoss * static_cast<Real>(initialFluid_))
-        throw CaseError(ExitCode::Solver, std::to_string(lost) + " of " + std::to_string(initialFluid_) + " fluid particles were lost",
-                        "a wall has a gap, or the run is unstable; allowed are " + std::to_string(largestLoss * 100) + " %");
+    requireFewLost(escaped());
+}
+
+void FluidStage::checkOutside(Real time) const
+{
+    std::int64_t const outside = countOver(particles_.fluid(), [&](int i) { return hasEscaped(i); });
+    if (outside == 0) return;
+    std::ostringstream text;
+    text << "time " << time << " s: " << outside << " particles are outside of the domain";
+    warn(text.str(), "outside", 10);
+    requireFewLost(escaped() + outside);
+}
+
+void FluidStage::requireFewLost(std::int64_t lost) const
+{
+    if (static_cast<Real>(lost) <= largestLoss * static_cast<Real>(initialFluid_)) return;
+    std::ostringstream help;
+    help << "a wall has a gap, or the run is unstable (a smaller maxCo or deltaT may help); allowed are " << largestLoss * 100 << " %";
+    throw CaseError(ExitCode::Solver, std::to_string(lost) + " of " + std::to_string(initialFluid_) + " fluid particles were lost",
+                    help.str());
 }
 
 void FluidStage::save(State& state) const

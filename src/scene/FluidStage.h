@@ -44,12 +44,18 @@ public:
     [[nodiscard]] NeighbourList const& neighbours() const { return neighbours_; }
     [[nodiscard]] PressureEquation& pressure() { return *pressure_; }
     [[nodiscard]] Fluid const& fluid() const { return fluid_; }
+    [[nodiscard]] Fluid& fluid() { return fluid_; }
     [[nodiscard]] BoundaryLabeller const& labeller() const { return *labeller_; }
     [[nodiscard]] bool positivePressure() const { return fluid_.negativePressure() == NegativePressure::Clamp; }
 
+    /// An initial state made without the periodic box has boundary particles where images of others will stand. @throw CaseError BadInput
+    void requireWallsInside(Location const& where) const;
     /// Whether a direction is periodic (`cyclic` of system/mpsSchemes).
     [[nodiscard]] bool periodic() const { return images_.any(); }
 
+    /// Warns of particles that have left the domain since they were last looked for. @param time [s].
+    /// @throw CaseError Solver  where they are too many.
+    void checkOutside(Real time) const;
     /// Particles taken out because they left the domain or went through a wall, since the start; of all ranks.
     [[nodiscard]] std::int64_t escaped() const;
 
@@ -63,6 +69,7 @@ public:
 
 private:
     void sortAndCheck(Step const& step);
+    void requireFewLost(std::int64_t lost) const;
     [[nodiscard]] bool hasEscaped(int i) const;
     /// @throw CaseError NotFinite, naming the first particle of the range whose position, velocity or pressure is no number.
     void checkFinite(Range const& range, Step const& step) const;

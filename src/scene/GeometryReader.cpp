@@ -161,7 +161,7 @@ WallDefinition makeWall(std::string const& name, NamedShape const& named, std::s
     Real length = 0;
     for (auto const& segment : wall.surface.segments()) length += segment.length;
     require(length >= spacing, named.where,
-            "surface \"" + name + "\" is " + std::to_string(length) + " m long, less than the spacing of " + std::to_string(spacing) + " m",
+            "surface \"" + name + "\" is " + shortNumber(length) + " m long, less than the spacing of " + shortNumber(spacing) + " m",
             "a smaller spacing in constant/particleProperties");
     return wall;
 }
@@ -173,7 +173,7 @@ int readGhostRows(Dictionary const& dict, Real spacing, int automatic)
     int const rows = static_cast<int>(std::min(std::ceil(thickness / spacing - 1e-9), 100.0));
     require(rows >= automatic + 1, dict.where("thickness"),
             "a wall of " + std::to_string(rows) + " rows is thinner than the kernel reaches",
-            "auto, or " + std::to_string((automatic + 1) * spacing) + " m or more");
+            "auto, or " + shortNumber((automatic + 1) * spacing) + " m or more");
     return rows - 1;
 }
 

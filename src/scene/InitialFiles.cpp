@@ -3,10 +3,11 @@
 #include <cstdint>
 #include <numeric>
 
+#include "core/Errors.h"
 #include "io/Checkpoint.h"
-#include "io/Crc32c.h"
 #include "io/OutputFile.h"
 #include "io/VtkFile.h"
+#include "scene/InputFingerprint.h"
 
 namespace mpsDem {
 
@@ -48,16 +49,8 @@ void writeOutline(std::filesystem::path const& path, Polyline const& outline, Re
 
 std::string inputFingerprint(CaseFolder const& caseFolder, std::filesystem::path const& setParticlesDict)
 {
-    std::string bytes;
-    for (std::filesystem::path const& file :
-         {setParticlesDict, std::filesystem::path("constant/particleProperties"), std::filesystem::path("constant/rigidBodyProperties"),
-          std::filesystem::path("constant/transportProperties"), std::filesystem::path("constant/g")})
-    {
-        std::filesystem::path const path = file.is_absolute() ? file : caseFolder.root() / file;
-        if (std::filesystem::exists(path)) bytes += readBytes(path);
-        bytes += '\0';
-    }
-    return crcText(crc32c(bytes));
+    return fingerprintOf(caseFolder, {setParticlesDict, "constant/particleProperties", "constant/rigidBodyProperties",
+                                      "constant/transportProperties", "constant/g"});
 }
 
 void writeInitialFiles(CaseFolder const& caseFolder, SceneDefinition const& definition, InitialScene const& scene,
@@ -71,10 +64,20 @@ void writeInitialFiles(CaseFolder const& caseFolder, SceneDefinition const& defi
     if (!definition.regions.empty()) info.effects.emplace_back("fluid");
     if (!definition.walls.empty()) info.effects.emplace_back("walls");
     if (!definition.bodies.empty()) info.effects.emplace_back("bodies");
-    writeInitialState(folder, scene.state(definition), info);
-    if (scene.particles.size() > 0) writeParticles(folder / "particles.vtp", scene, definition.startTime);
-    for (Polyline const& outline : scene.placed) writeOutline(folder / (outline.name() + ".vtp"), outline, definition.startTime);
-    atomicWrite(folder / "report.txt", report);
+    bool const isNew = !std::filesystem::exists(folder);
+    try
+    {
+        writeInitialState(folder, scene.state(definition), info);
+        if (scene.particles.size() > 0) writeParticles(folder / "particles.vtp", scene, definition.startTime);
+        for (Polyline const& outline : scene.placed) writeOutline(folder / (outline.name() + ".vtp"), outline, definition.startTime);
+        atomicWrite(folder / "report.txt", report);
+    }
+    catch (CaseError const&)
+    {
+        std::error_code ignored;
+        if (isNew) std::filesystem::remove_all(folder, ignored);
+        throw;
+    }
 }
 
 } // namespace mpsDem

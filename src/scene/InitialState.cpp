@@ -38,15 +38,17 @@ void addWalls(Layout& layout, SceneDefinition const& scene, std::vector<Polyline
     std::vector<int> ghostRows;
     for (WallDefinition const& wall : scene.walls) ghostRows.push_back(wall.ghostRows);
     BoundaryRows const rows = boundaryRows(surfaces, ghostRows, scene.lattice.spacing);
+    // Rows go on beyond the end of a wall; at a periodic border the images of its own particles stand there.
+    auto const inside = [&](std::size_t i) { return scene.periodic.contains(rows.position[i]); };
     for (std::size_t i = 0; i < rows.position.size(); ++i)
-        layout.add(rows.position[i], Vector::Zero(), 0, rows.type[i], -1, rows.chain[i], rows.normal[i]);
+        if (inside(i)) layout.add(rows.position[i], Vector::Zero(), 0, rows.type[i], -1, rows.chain[i], rows.normal[i]);
     for (std::size_t k = 0; k < scene.walls.size(); ++k)
     {
         bool any = false;
         for (std::size_t i = 0; i < rows.position.size() && !any; ++i)
-            any = rows.chain[i] == static_cast<int>(k) && rows.type[i] == ParticleType::Wall;
+            any = rows.chain[i] == static_cast<int>(k) && rows.type[i] == ParticleType::Wall && inside(i);
         require(any, scene.walls[k].where, "wall \"" + surfaces[k].name() + "\" gets no wall particle",
-                "a wall that is longer than a spacing and does not lie within another one");
+                "a wall that is longer than a spacing and lies neither within another one nor outside of the periodic box");
     }
 }
 

@@ -24,6 +24,7 @@ struct SceneDefinition
 {
     Lattice lattice;
     Real kernelRadius = 2.1; ///< Largest effective radius over the spacing.
+    PeriodicImages periodic; ///< The periodic box.
     Vector gravity = Vector::Zero();
     Real density = 0; ///< Of the fluid [kg/m3]; 0 without fluid.
     Real startTime = 0;

@@ -1,6 +1,7 @@
 #include "scene/Output.h"
 
 #include "core/Timers.h"
+#include "scene/InputFingerprint.h"
 
 namespace mpsDem {
 
@@ -9,21 +10,25 @@ Output::Output(CaseFolder const& caseFolder, ParticleSet const& particles, std::
     : particles_(particles),
       bodies_(bodies),
       outlines_(outlines),
+      inputHash_(fingerprintOf(caseFolder, runInput())),
       timer_(Timers::add("VTK output", "output"))
 {
     if (particles.size() > 0) particleSeries_ = std::make_unique<VtkSeries>(caseFolder.root(), "particles");
     for (auto const& body : bodies) bodySeries_.emplace_back(caseFolder.root(), body->name());
 }
 
-void Output::startAt(Real time)
+void Output::startSeries()
 {
-    if (particleSeries_) particleSeries_->startAt(time);
-    for (VtkSeries& series : bodySeries_) series.startAt(time);
+    if (!startTime_) return;
+    if (particleSeries_) particleSeries_->startAt(*startTime_);
+    for (VtkSeries& series : bodySeries_) series.startAt(*startTime_);
+    startTime_.reset();
 }
 
 void Output::write(Real time)
 {
     Timers::Scope const timer(Timers::stage(timer_));
+    startSeries();
     if (particleSeries_) writeParticles(time);
     for (std::size_t k = 0; k < bodies_.size(); ++k) writeBody(k, time);
 }

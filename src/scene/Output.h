@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/Polyline.h"
@@ -12,7 +13,7 @@
 
 namespace mpsDem {
 
-/// VTK files of particles and bodies.
+/// VTK files of particles and bodies, and what a saved state tells about its input.
 ///
 /// Point arrays of VTK/particles: U, p, id, type (0 fluid, 1 wall, 2 wall row labelled ghost by DBL, 3 ghost rows), n (n_i/n0), surface
 /// (0 interior, 1 free surface, 2 near it). Bodies as closed polygons with U and the body's number.
@@ -22,12 +23,16 @@ public:
     Output(CaseFolder const& caseFolder, ParticleSet const& particles, std::vector<std::unique_ptr<RigidBody>> const& bodies,
            std::vector<Polyline> const& outlines);
 
-    /// Continues the series at the time of a restart.
-    void startAt(Real time);
+    /// Continues the series at the time of a restart; later files of an earlier run go with the first write.
+    void startAt(Real time) { startTime_ = time; }
     /// Writes the next file of each series at the time [s]. @throw CaseError (InputOutput)
     void write(Real time);
 
+    /// Fingerprint of the dictionaries as they were at the start of the run.
+    [[nodiscard]] std::string const& inputHash() const { return inputHash_; }
+
 private:
+    void startSeries();
     void writeParticles(Real time);
     void writeBody(std::size_t k, Real time);
 
@@ -36,6 +41,8 @@ private:
     std::vector<Polyline> const& outlines_;
     std::unique_ptr<VtkSeries> particleSeries_; ///< Absent without particles.
     std::vector<VtkSeries> bodySeries_;
+    std::string inputHash_;
+    std::optional<Real> startTime_; ///< Until the series have been started [s].
     int timer_;
 };
 

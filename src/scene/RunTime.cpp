@@ -29,7 +29,8 @@ RunTime::RunTime(Dictionary const& dict)
     time_ = startTime_;
     static_cast<void>(dict.getWordOr("timeFormat", "general", {"general"}, "time formats"));
     static_cast<void>(dict.getWordOr("writeFormat", "binary", {"binary", "ascii"}, "write formats"));
-    for (char const* key : {"application", "writePrecision", "writeCompression", "runTimeModifiable"}) dict.ignore(key);
+    modifiable_ = dict.getOr<bool>("runTimeModifiable", true);
+    for (char const* key : {"application", "writePrecision", "writeCompression"}) dict.ignore(key);
     lastClockWrite_ = clock();
 }
 

@@ -22,6 +22,7 @@ namespace mpsDem {
 /// | maxClockTime | wall-clock seconds after which the run saves its state and stops; 0: none | 0 |
 /// | checkpointInterval | wall-clock seconds between states saved beside those at write times; 0: none | 600 |
 /// | timePrecision | digits of times in the log and of folder names | 6 |
+/// | runTimeModifiable | whether a run takes over what is edited in controlDict | yes |
 class RunTime
 {
 public:
@@ -61,6 +62,8 @@ public:
     void save(State& state) const;
     void load(State const& state);
 
+    /// Whether controlDict may be edited while running.
+    [[nodiscard]] bool modifiable() const { return modifiable_; }
     /// Takes over what may change while running: endTime, stopAt, writeControl, writeInterval. Nothing changes where it throws.
     void reread(Dictionary const& controlDict);
 
@@ -86,6 +89,7 @@ private:
     bool stopping_ = false, stopAsked_ = false, stopAtWrite_ = false;
     Real time_ = 0, lastDt_ = 0, lastClockWrite_ = 0;
     std::int64_t number_ = 0;
+    bool modifiable_ = true;
 };
 
 } // namespace mpsDem

@@ -4,6 +4,7 @@
 #include "core/Timers.h"
 #include "io/Checkpoint.h"
 #include "scene/BodyReader.h"
+#include "scene/InputFingerprint.h"
 
 namespace mpsDem {
 
@@ -17,7 +18,9 @@ State findStart(CaseFolder const& caseFolder, RunTime const& time)
         if (auto const latest = findLatest(caseFolder.root() / "checkpoint"))
         {
             info() << "Reading state from checkpoint/" << latest->filename().string() << '\n' << std::endl;
-            return readCheckpoint(*latest).state;
+            Checkpoint saved = readCheckpoint(*latest);
+            logChangedInput(caseFolder, saved.info.inputHash, "");
+            return std::move(saved.state);
         }
     }
     std::filesystem::path const folder = caseFolder.root() / timeName(time.startTime());
@@ -25,7 +28,9 @@ State findStart(CaseFolder const& caseFolder, RunTime const& time)
         throw CaseError(ExitCode::BadInput, Location{timeName(time.startTime()), 0, {}}, "the case has no initial state",
                         "run setParticles first");
     info() << "Reading state from " << folder.filename().string() << "/\n" << std::endl;
-    return readCheckpoint(folder).state;
+    Checkpoint initial = readCheckpoint(folder);
+    logChangedInput(caseFolder, initial.info.inputHash, "run setParticles again where the particles depend on it");
+    return std::move(initial.state);
 }
 
 /// True where one of the function objects is of the type.
@@ -50,6 +55,8 @@ Scene::Scene(CaseFolder const& caseFolder, Options const& options)
     readStart(start);
     if (dicts_.transport) buildFluid();
     if (!bodies_.empty()) buildSolids();
+    if (fluid_ && fluid_->periodic()) fluid_->requireWallsInside(dicts_.schemes ? dicts_.schemes->where("cyclic") : Location{});
+    buildGuard();
     output_ = std::make_unique<Output>(case_, particles_, bodies_, outlines_);
 
     Real const density = fluid_ ? fluid_->fluid().density() : 0;
@@ -68,6 +75,7 @@ Scene::Scene(CaseFolder const& caseFolder, Options const& options)
         if (fluid_) fluid_->load(start);
         if (solids_) solids_->load(start);
         ledger_.load(start);
+        guard_->load(start);
         if (observers_) observers_->load(start);
     }
     output_->startAt(time_->time());
@@ -80,6 +88,7 @@ Scene::~Scene() = default;
 void Scene::readStart(State const& start)
 {
     time_->load(start);
+    startStep_ = time_->stepNumber();
     particles_.load(start);
     surfaces_ = loadSurfaces(start);
     for (Polyline const& surface : surfaces_) surfaceNames_.push_back(surface.name());
@@ -145,6 +154,14 @@ void Scene::buildSolids()
     solids_ = std::make_unique<SolidStage>(bodies_, std::move(contacts), std::move(couplings), gravity_, ledger_);
 }
 
+void Scene::buildGuard()
+{
+    SchemeSet const set = readSchemeSet(dicts_.schemes.value_or(Dictionary()));
+    guard_ = std::make_unique<StepGuard>(dicts_.control, set, timeStep_->adjustable(), gravity_, fluid_ ? fluid_->fluid().density() : 0);
+    if (guard_->redoes()) stepStart_ = std::make_unique<StepStart>();
+    if (guard_->active()) guardTimer_ = Timers::add("watch over steps", "redo of steps");
+}
+
 void Scene::checkDictionaries() const
 {
     dicts_.control.requireAllRead();
@@ -154,41 +171,6 @@ void Scene::checkDictionaries() const
     if (!dicts_.solution || !fluid_) return;
     if (!solids_) dicts_.solution->ignore("coupling");
     dicts_.solution->requireAllRead();
-}
-
-void Scene::listEffects()
-{
-    bool const fluid = fluid_ != nullptr, solids = solids_ != nullptr;
-    auto const yesNo = [](bool on, char const* yes, char const* no) { return std::string(on ? yes : no); };
-    effects_.add("fluid", fluid, yesNo(fluid, "constant/transportProperties", "no constant/transportProperties"));
-    if (fluid)
-    {
-        Fluid const& f = fluid_->fluid();
-        bool const viscous = f.viscosity() != nullptr;
-        effects_.add("viscosity", viscous,
-                     viscous ? std::string(f.viscosity()->name()) + ", mpsSchemes/viscositySchemes" : "type none or nu 0");
-        effects_.add("boundary labelling", !fluid_->labeller().needsAllWalls(), "mpsSchemes/boundarySchemes/labelling");
-        effects_.add("collision", f.collision() != nullptr, "mpsSchemes/collisionSchemes");
-        effects_.add("shifting", f.shifting() != nullptr, "mpsSchemes/shiftingSchemes");
-    }
-    effects_.add("rigid bodies", solids, yesNo(solids, "constant/rigidBodyProperties", "no constant/rigidBodyProperties"));
-    if (solids)
-    {
-        bool const contact = solids_->contacts() != nullptr;
-        effects_.add("contact", contact, yesNo(contact, "constant/contactProperties", "no constant/contactProperties"));
-        for (FluidBodyCoupling const& coupling : solids_->couplings())
-            effects_.add("coupling of " + coupling.body().name(), true, coupling.modeName());
-    }
-    bool const observed = observers_ && !observers_->empty();
-    effects_.add("function objects", observed, yesNo(observed, "controlDict/functions", "none in controlDict/functions"));
-    effects_.print(info());
-    if (solids && solids_->contacts())
-    {
-        std::vector<RigidBody*> pointers;
-        for (auto const& body : bodies_) pointers.push_back(body.get());
-        solids_->contacts()->report(info(), pointers);
-        info() << std::endl;
-    }
 }
 
 } // namespace mpsDem

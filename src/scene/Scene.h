@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "scene/SavedGeometry.h"
 #include "scene/SceneDictionaries.h"
 #include "scene/SolidStage.h"
+#include "scene/StepGuard.h"
+#include "scene/StepStart.h"
 
 namespace mpsDem {
 
@@ -32,8 +35,9 @@ public:
 
     [[nodiscard]] RunTime& time() { return *time_; }
 
-    /// The next step, its length from the state of fluid and bodies.
-    [[nodiscard]] Step nextStep();
+    /// Takes the next step, its length from the state of fluid and bodies. Where it goes wrong it is undone and taken again with half its
+    /// length (StepGuard). @param stages  All stages of a step, in their order. @return the step that was taken in the end
+    Step takeStep(std::function<void(Step const&)> const& stages);
 
     // The stages of a step; each does nothing where its effect is absent.
     /// Particles of bodies take their place and motion.
@@ -52,7 +56,7 @@ public:
     void advanceBodies(Step const& step);
     /// u^{m+1}, r^{m+1} by eq 4; collision, shifting. @throw CaseError NotFinite
     void correctFluid(Step const& step);
-    /// Ends the step: function objects.
+    /// After a step: time goes on, function objects.
     void observe(Step const& step);
 
     /// Fields for ParaView and a checkpoint, where the step asks for them.
@@ -82,14 +86,26 @@ public:
     [[nodiscard]] std::vector<std::unique_ptr<RigidBody>> const& bodies() const { return bodies_; }
     [[nodiscard]] FluidStage const* fluid() const { return fluid_.get(); }
     [[nodiscard]] SolidStage const* solids() const { return solids_.get(); }
+    [[nodiscard]] StepGuard const& guard() const { return *guard_; }
     [[nodiscard]] Ledger const& ledger() const { return ledger_; }
     [[nodiscard]] State state() const;
 
 private:
+    [[nodiscard]] Step nextStep();
+    /// The present step with another length at most [s].
+    [[nodiscard]] Step stepOf(Real wanted);
+    [[nodiscard]] bool succeeds(Step const& step, std::function<void(Step const&)> const& stages);
+    /// Wall particles that fluid passed in this step: it was in front of one and is beside or behind it now.
+    [[nodiscard]] int particlesThroughWalls() const;
+    void rememberStart();
+    void undo();
     void readStart(State const& start);
     void buildFluid();
     void buildSolids();
+    void buildGuard();
     void listEffects();
+    void listFluidEffects();
+    void listBodyEffects();
     void checkDictionaries() const;
     void accumulateImpulse(Step const& step);
     void writeCheckpointNow();
@@ -114,6 +130,8 @@ private:
     std::unique_ptr<SolidStage> solids_;
     std::vector<WettedSurface> fixedSurfaces_;                  ///< Only where a momentum budget asks for the impulse of the walls.
     Vector *wallImpulse_ = nullptr, *gravityImpulse_ = nullptr; ///< Of the water, in the ledger; as fixedSurfaces_.
+    std::unique_ptr<StepGuard> guard_;
+    std::unique_ptr<StepStart> stepStart_; ///< Null where no step is taken again.
     std::unique_ptr<RunContext> context_;
     std::unique_ptr<FunctionObjects> observers_;
     std::unique_ptr<Output> output_;
@@ -122,8 +140,9 @@ private:
     mutable Real cumulativeError_ = 0; ///< Of the log.
     bool solved_ = false;
     double particleSteps_ = 0;
-    int checkpointTimer_ = -1, observerTimer_ = -1;
+    int checkpointTimer_ = -1, observerTimer_ = -1, guardTimer_ = -1;
     bool checkpointAsked_ = false, checkpointDue_ = false, stopAsked_ = false; ///< By a user, by the clock, by a user.
+    std::int64_t startStep_ = 0;                                               ///< Step from which this run goes on.
     std::int64_t lastCheckpoint_ = -1;                                         ///< Step of the last checkpoint of this run.
     std::chrono::steady_clock::time_point lastCheckpointClock_;
 };

@@ -1,6 +1,8 @@
 #include "core/Errors.h"
+#include "io/MachineMemory.h"
 #include "scene/EntryText.h"
 #include "scene/InitialState.h"
+#include "scene/SizeEstimate.h"
 
 namespace mpsDem {
 
@@ -36,8 +38,10 @@ SceneDefinition readSceneDefinition(CaseFolder const& caseFolder, std::filesyste
 {
     SceneDefinition scene;
     scene.startTime = readStartTime(caseFolder);
-    scene.lattice = readLattice(caseFolder.read("constant/particleProperties"));
+    Dictionary const particleProperties = caseFolder.read("constant/particleProperties");
+    scene.lattice = readLattice(particleProperties);
     scene.kernelRadius = largestKernelRadius(caseFolder);
+    scene.periodic = readPeriodicBox(caseFolder);
     scene.gravity = readGravity(caseFolder);
 
     Dictionary const dict = caseFolder.read(dictionary);
@@ -56,6 +60,7 @@ SceneDefinition readSceneDefinition(CaseFolder const& caseFolder, std::filesyste
     checkNames(scene);
     require(!scene.walls.empty() || !scene.regions.empty() || !scene.bodies.empty(), dict.where(),
             "the case has neither walls nor fluid nor bodies", "geometry, regions, or constant/rigidBodyProperties");
+    requireRoom(estimateSize(scene), scene.lattice.spacing, particleProperties.where("spacing"), availableMemory());
     return scene;
 }
 

@@ -14,6 +14,11 @@ void Scene::logStep(Step const& step, double executionTime, double clockTime) co
     {
         TimeStep::Courant const courant = timeStep_->courant(particles_, step.dt);
         os << "Courant Number mean: " << courant.mean << " max: " << courant.max << '\n';
+        if (courant.max > 1 && !timeStep_->adjustable())
+            warn("time " + time_->format(step.time) +
+                     " s: Courant number above 1 with a fixed step: particles may pass through walls; a smaller deltaT, or adjustTimeStep "
+                     "yes",
+                 "courant", 3);
         if (fluid_->fluid().viscosity())
         {
             Real const diffusion = fluid_->fluid().nu() * step.dt / (dicts_.lattice.spacing * dicts_.lattice.spacing);
@@ -73,6 +78,7 @@ void Scene::logEnd(double loopSeconds) const
                << " boundary; " << fluid_->escaped() << " left the domain; pressure displacements limited " << fluid_->fluid().limited()
                << " times\n\n";
     }
+    guard_->report(info());
     printBill(info(), loopSeconds, particleSteps_);
     info() << std::endl;
 }

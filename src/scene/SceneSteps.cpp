@@ -1,5 +1,4 @@
 #include <chrono>
-#include <limits>
 
 #include "core/Log.h"
 #include "core/Timers.h"
@@ -9,17 +8,6 @@
 
 namespace mpsDem {
 
-Step Scene::nextStep()
-{
-    Real const bodySpeed = solids_ ? solids_->largestSpeed() : 0;
-    Real const unlimited = std::numeric_limits<Real>::infinity();
-    Viscosity const* const viscosity = fluid_ ? fluid_->fluid().viscosity() : nullptr;
-    Real const wanted = timeStep_->next(particles_, fluid_ ? fluid_->fluid().density() : 1, time_->lastDt(timeStep_->first()), bodySpeed,
-                                        viscosity ? viscosity->largestStableDt() : unlimited);
-    Real const observed = observers_ ? observers_->nextTime(time_->time()) : unlimited;
-    return time_->next(wanted, !timeStep_->adjustable(), observed);
-}
-
 void Scene::moveBoundaries()
 {
     if (solids_) solids_->moveParticles(particles_);
@@ -28,6 +16,7 @@ void Scene::moveBoundaries()
 void Scene::updateNeighbours(Step const& step)
 {
     if (fluid_) fluid_->updateNeighbours(step);
+    rememberStart();
 }
 
 void Scene::label()
@@ -109,6 +98,7 @@ State Scene::state() const
     if (fluid_) fluid_->save(state);
     if (solids_) solids_->save(state);
     ledger_.save(state);
+    guard_->save(state);
     if (observers_) observers_->save(state);
     return state;
 }
@@ -120,6 +110,7 @@ void Scene::writeCheckpointNow()
     info.time = time_->time();
     info.step = time_->stepNumber();
     info.codeVersion = "mpsDem-" MPSDEM_VERSION;
+    info.inputHash = output_->inputHash();
     info.effects = effects_.lines();
     writeCheckpoint(case_.root() / "checkpoint", std::to_string(info.step), state(), info, time_->purgeWrite());
     if (fluid_) fluid_->forget();
@@ -127,7 +118,11 @@ void Scene::writeCheckpointNow()
     lastCheckpointClock_ = std::chrono::steady_clock::now();
 }
 
-void Scene::writeFields() { output_->write(time_->time()); }
+void Scene::writeFields()
+{
+    output_->write(time_->time());
+    if (fluid_) fluid_->checkOutside(time_->time());
+}
 
 void Scene::writeIfDue(Step const& step)
 {
@@ -143,6 +138,11 @@ void Scene::writeStart()
 
 void Scene::writeEnd()
 {
+    if (time_->stepNumber() == startStep_ && startStep_ > 0)
+    {
+        info() << "The end time was reached before: nothing to run, nothing written\n" << std::endl;
+        return;
+    }
     if (lastCheckpoint_ == time_->stepNumber()) return;
     writeFields();
     writeCheckpointNow();

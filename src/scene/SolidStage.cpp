@@ -60,7 +60,7 @@ void SolidStage::loadBodies(FluidStage& fluid, Step const& step)
     if (couplings_.empty()) return;
     Timers::Scope const timer(Timers::stage(couplingTimer_));
     PressureResponse const response = [&](Field<Vector> const& acceleration, Field<Real>& pressure) {
-        fluid.pressure().response(fluid.particles(), fluid.neighbours(), acceleration, pressure);
+        fluid.pressure().response(fluid.particles(), fluid.neighbours(), step, acceleration, pressure);
     };
     for (FluidBodyCoupling& coupling : couplings_) coupling.load(fluid.particles(), fluid.neighbours(), step, response);
 }
@@ -117,7 +117,7 @@ void SolidStage::save(State& state) const
 void SolidStage::load(State const& state)
 {
     for (FluidBodyCoupling& coupling : couplings_) coupling.load(state);
-    if (contacts_ && state.has("time/lastDt")) contacts_->load(state); // not in the initial state of setParticles
+    if (contacts_) contacts_->load(state);
 }
 
 } // namespace mpsDem

@@ -34,6 +34,7 @@ public:
     /// Largest speed of any surface point of a moving body [m/s].
     [[nodiscard]] Real largestSpeed() const;
     [[nodiscard]] ContactModel const* contacts() const { return contacts_.get(); }
+    [[nodiscard]] ContactModel* contacts() { return contacts_.get(); }
     [[nodiscard]] std::vector<FluidBodyCoupling> const& couplings() const { return couplings_; }
     [[nodiscard]] std::vector<std::unique_ptr<RigidBody>> const& bodies() const { return bodies_; }
     /// Contact sub-steps of the last step.

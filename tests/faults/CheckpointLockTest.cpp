@@ -26,7 +26,9 @@ TEST(CaseLock, ASecondOneIsRefusedAndNamesTheProcess)
         EXPECT_EQ(error.code(), ExitCode::Locked);
         EXPECT_NE(std::string(error.what()).find("process " + std::to_string(::getpid()) + " on "), std::string::npos) << error.what();
     }
+    EXPECT_TRUE(std::filesystem::exists(folder / ".mpsDem.lock")) << "the one that was refused left it alone";
     lock.reset();
+    EXPECT_FALSE(std::filesystem::exists(folder / ".mpsDem.lock"));
     EXPECT_NO_THROW(CaseLock{folder.path()});
 }
 

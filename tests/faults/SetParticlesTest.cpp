@@ -243,6 +243,45 @@ TEST(SetParticlesFaults, ParticlesThatWouldNotFitACheckpointAreRefused)
     EXPECT_FALSE(std::filesystem::exists(testCase.root() / "checkpoint"));
 }
 
+TEST(SetParticlesFaults, WhatDoesNotFitIntoTheMemoryIsRefusedBeforeItIsLaidOut)
+{
+    SmallCase const fine;
+    fine.write("constant/particleProperties", "spacing 1e-6;");
+    EXPECT_EQ(runApplication(fine), 8);
+    std::string const log = readBytes(fine.root() / "log");
+    EXPECT_NE(log.find("particles (fluid 1.5e+12, "), std::string::npos) << log; // 2 m2 less the ramp's 0.5
+    EXPECT_NE(log.find("file: constant/particleProperties.spacing at line 4."), std::string::npos) << log;
+    EXPECT_FALSE(std::filesystem::exists(fine.root() / "0"));
+}
+
+TEST(SetParticlesFaults, ARegionThatReachesOutOfTheTankIsWarnedOf)
+{
+    SmallCase const testCase;
+    testCase.write("system/setParticlesDict", bed + "regions ( boxToParticle { box (-0.2 0 0) (6 1 0); } );");
+    EXPECT_EQ(runApplication(testCase), 0);
+    std::string const log = readBytes(testCase.root() / "log"); // 6.2 m2, a spacing beside the wall belongs to it
+    EXPECT_NE(log.find("reach out of the walls: of about 3.1 m3, 1.9"), std::string::npos) << log;
+    EXPECT_EQ(log.find("Warning"), log.rfind("Warning"));
+
+    SmallCase const ramp; // takes a quarter of the region, and that is meant
+    EXPECT_EQ(runApplication(ramp), 0);
+    EXPECT_EQ(readBytes(ramp.root() / "log").find("reach out"), std::string::npos);
+}
+
+TEST(SetParticlesFaults, AFullDiskLeavesNothingBehind)
+{
+    SmallCase const testCase;
+    for (char const* blocks : {"1", "60"}) // of 512 bytes: in the state, in the files for ParaView
+    {
+        std::string const command = std::string("ulimit -f ") + blocks + "; exec '" + MPSDEM_BIN_DIR + "/setParticles' -case '" +
+                                    testCase.root().string() + "' > /dev/null 2>&1";
+        int const status = std::system(command.c_str());
+        EXPECT_EQ(WEXITSTATUS(status), 5) << blocks;
+        for (char const* left : {"0", "0.part", ".mpsDem.lock"})
+            EXPECT_FALSE(std::filesystem::exists(testCase.root() / left)) << left << blocks;
+    }
+}
+
 TEST(SetParticlesFaults, AWrongCaseLeavesTheOldState)
 {
     SmallCase const testCase;

@@ -112,7 +112,8 @@ TEST(HardSlides, cavityClosesBehind)
     expectBetween("cavity: water over the slide at the end, share", covered(run.scene()), 0.9, 1.1);
 }
 
-// Measured 0.0058, 0.028 at 0.02 m, 0.001 with the symmetric gradient: the corrected gradient adds energy to the jets.
+// Measured 0.011; from five heights of the slide 0.006 in the mean, 0.010 without redo of steps. 0.028 at 0.02 m, 0.001 with the symmetric
+// gradient: the corrected gradient adds energy to the jets.
 TEST(HardSlides, DISABLED_cavityClosesBehindWithoutGainOfEnergy)
 {
     RunCase run(0.04);

@@ -8,7 +8,7 @@ namespace mpsDem::test {
 
 namespace {
 
-void damBreak(std::string const& name, std::string const& control, Real dt, Real jitter, Real energy)
+void damBreak(std::string const& name, std::string const& control, Real dt, Real jitter, Real energy, Real redone = 0)
 {
     RunCase run(0.02);
     run.write("system/setParticlesDict", "geometry { tank { type polyline; points ((0 1.2 0) (0 0 0) (1.6 0 0) (1.6 1.2 0)); } }\n"
@@ -17,7 +17,7 @@ void damBreak(std::string const& name, std::string const& control, Real dt, Real
     run.control(1.5, dt, control).make();
     Watch watch;
     run.run([&](Scene const& scene, Step const& step) { watch.observe(scene, step); });
-    expectInBand(name, run, watch, {.height = 0.3, .energy = energy});
+    expectInBand(name, run, watch, {.height = 0.3, .energy = energy, .redone = redone});
 }
 
 // H7: single particles, a pair and a disc fly above the tank and fall into it. They have no row of eq 8, or a group of their own.
@@ -55,17 +55,18 @@ void shakeFullBox(Real largestEnergy)
 // The case beside which the hard ones are to be seen: its energy never rises by more than 0.5 %.
 TEST(ViolentFlow, damBreaks) { damBreak("dam break", "", 2e-3, 0, 0.005); }
 
-// H10: the limits of the step twice and four times as wide as by default. Energy rises by 0.9 %.
-TEST(ViolentFlow, standsStepsTwiceAsLong) { damBreak("dam break, dt x 2", "maxCo 0.5; maxPressureCo 0.5;", 4e-3, 0, 0.02); }
-// Measured: one particle of 450 goes through a wall, and the run ends with exit code 7.
-TEST(ViolentFlow, DISABLED_standsStepsFourTimesAsLong) { damBreak("dam break, dt x 4", "maxCo 1; maxPressureCo 1;", 8e-3, 0, 0.02); }
+// H10: the limits of the step twice and four times as wide as by default. Energy rises by 0.9 and 1.3 %. Without redo of steps, 9 of 12 runs
+// with the longest steps and columns of 0.48 to 0.7 m lost particles through the wall; with it 2 do.
+TEST(ViolentFlow, standsStepsTwiceAsLong) { damBreak("dam break, dt x 2", "maxCo 0.5; maxPressureCo 0.5;", 4e-3, 0, 0.02, 0.02); }
+TEST(ViolentFlow, standsStepsFourTimesAsLong) { damBreak("dam break, dt x 4", "maxCo 1; maxPressureCo 1;", 8e-3, 0, 0.02, 0.15); }
 
 // H17. Energy rises by 0.6 %.
 TEST(ViolentFlow, startsFromDisorder) { damBreak("dam break, jitter 0.3", "", 2e-3, 0.3, 0.02); }
 
 TEST(ViolentFlow, clustersFlyAndFallBack) { throwClusters("clusters in flight", 0.05); }
 
-// Measured: 0.024 (0.019 with `grad(p) hybrid`): where a disc hits the water, its surface gains energy for some steps.
+// Measured: 0.024 (0.019 with `grad(p) hybrid`): where a disc hits the water, its surface gains energy for some steps, however long they
+// are.
 TEST(ViolentFlow, DISABLED_clustersFlyAndFallBackWithoutGainOfEnergy) { throwClusters("clusters in flight", 0.02); }
 
 // Root mean square speed below 2 % of sqrt(g H).

@@ -88,17 +88,21 @@ Scene& RunCase::start()
     return *scene_;
 }
 
+void RunCase::stages(Step const& step)
+{
+    scene_->moveBoundaries();
+    scene_->updateNeighbours(step);
+    scene_->label();
+    scene_->predict(step);
+    scene_->solvePressure(step);
+    scene_->loadBodies(step);
+    scene_->advanceBodies(step);
+    scene_->correctFluid(step);
+}
+
 Step RunCase::step()
 {
-    Step const now = scene_->nextStep();
-    scene_->moveBoundaries();
-    scene_->updateNeighbours(now);
-    scene_->label();
-    scene_->predict(now);
-    scene_->solvePressure(now);
-    scene_->loadBodies(now);
-    scene_->advanceBodies(now);
-    scene_->correctFluid(now);
+    Step const now = scene_->takeStep([this](Step const& step) { stages(step); });
     scene_->observe(now);
     scene_->writeIfDue(now);
     return now;
@@ -195,7 +199,8 @@ void Watch::observe(Scene const& scene, Step const& step)
     if (start == 0) start = energy;
     lowest_ = std::min(lowest_, energy);
     rise = std::max(rise, energy - lowest_);
-    if (step.dt < 0.5 * lastDt_) ++cuts;
+    if (step.dt < 0.5 * lastDt_ && scene.guard().redone() == redone_) ++cuts;
+    redone_ = scene.guard().redone();
     lastDt_ = step.dt;
     ++steps_;
     if (!scene.fluid()) return;
@@ -252,6 +257,7 @@ void expectInBand(std::string const& name, RunCase const& run, Watch const& watc
     expectBelow(name + ": density deviation, p99", watch.densityDeviation(), band.density);
     if (run.scene().solids()) expectBelow(name + ": overlap, p99 [spacings]", watch.overlap(), band.overlap);
     expectBelow(name + ": steps cut to less than half", watch.cuts, 0);
+    expectBelow(name + ": steps taken again, share", watch.redone(), band.redone);
     expectBelow(name + ": limited displacements, share", watch.limited(), band.limited);
     expectBelow(name + ": particles lost", static_cast<Real>(run.scene().fluid()->escaped()), 0);
 }

@@ -43,6 +43,8 @@ public:
     Scene& start();
     /// One step of a started run.
     Step step();
+    /// One try of a step: all stages.
+    void stages(Step const& step);
 
     [[nodiscard]] Scene const& scene() const { return *scene_; }
     [[nodiscard]] ParticleSet const& particles() const { return scene_->particles(); }
@@ -116,7 +118,7 @@ public:
     Real deepest = 0; ///< Largest overlap of a contact at the end of a step [spacings].
     /// Largest |P - J - (P - J at first)| by component, over weight of water x 1 s, as momentumBudget; 0 where the case has none.
     Vector residual = Vector::Zero();
-    int cuts = 0; ///< Steps shorter than half of the one before.
+    int cuts = 0; ///< Steps shorter than half of the one before that no redo has cut.
 
     /// 99th percentile of |n - n0|/n0 of particles inside the fluid, worst of all windows of 25 steps.
     [[nodiscard]] Real densityDeviation() const { return worstDensity_; }
@@ -124,6 +126,8 @@ public:
     [[nodiscard]] Real overlap() const;
     /// Share of particle-steps at which the pressure displacement was limited.
     [[nodiscard]] Real limited() const;
+    /// Share of steps that were taken again.
+    [[nodiscard]] Real redone() const { return steps_ > 0 ? static_cast<Real>(redone_) / steps_ : 0; }
 
 private:
     void observeFluid(Scene const& scene);
@@ -131,7 +135,7 @@ private:
 
     Real lowest_ = 1e300, lastDt_ = 0, worstDensity_ = 0;
     int steps_ = 0;
-    std::int64_t particleSteps_ = 0, limited_ = 0;
+    std::int64_t particleSteps_ = 0, limited_ = 0, redone_ = 0;
     Vector balance_ = Vector::Zero();
     std::vector<Real> deviations_; ///< Of this window of steps.
     std::vector<Real> overlaps_;
@@ -148,6 +152,7 @@ struct Band
     Real density = 0.3;  ///< 99th percentile of the density deviation: at a deficit of 0.3 a particle is on the surface.
     Real overlap = 0.01; ///< 99th percentile of the overlap [spacings].
     Real limited = 1e-3; ///< Share of limited displacements.
+    Real redone = 0.01;  ///< Share of steps that were taken again.
 };
 
 /// Expects energy, speed, density, overlap and limited displacements in the band, no step cut and no particle lost.

@@ -55,6 +55,17 @@ protected:
     fs::path root_;
 };
 
+TEST_F(DictionaryDirective, aFileNamedWithoutItsFolderIncludesAsAnyOther)
+{
+    write("main", "#includeIfPresent \"nope\"\n#include \"more\"\n");
+    write("more", "a 1;");
+    fs::path const before = fs::current_path();
+    fs::current_path(root_);
+    EXPECT_EQ(Dictionary::fromFile("main", root_).get<int>("a"), 1);
+    EXPECT_EQ(Dictionary::fromFile("main", ".").get<int>("a"), 1);
+    fs::current_path(before);
+}
+
 TEST_F(DictionaryDirective, includeReadsAFileBesideTheOneThatNamesIt)
 {
     write("system/common", "H 0.8;\n#include \"deeper/more\"\n");

@@ -58,7 +58,8 @@ TEST(DictionaryStrict, anAbsentDictionaryStillTakesQuestions)
     Dictionary const shifting = dictionary.subDictOrEmpty("shifting");
     EXPECT_EQ(shifting.getOr<Real>("coefficient", 0.5), 0.5);
     EXPECT_EQ(shifting.name(), "shifting");
-    EXPECT_EQ(refusal([&] { static_cast<void>(shifting.get<Real>("coefficient")); }), "f:1: the entry \"coefficient\" is missing");
+    EXPECT_EQ(refusal([&] { static_cast<void>(shifting.get<Real>("coefficient")); }), "f:1: the entry \"coefficient\" is missing\n"
+                                                                                      "    coefficient <number>;");
 }
 
 TEST(DictionaryStrict, hintsAtAMissingSemicolon)
@@ -69,14 +70,69 @@ TEST(DictionaryStrict, hintsAtAMissingSemicolon)
               "    is a ';' missing at the end of line 1?");
 }
 
-TEST(DictionaryStrict, namesMissingEntriesWithTheNearestPresentOne)
+TEST(DictionaryStrict, pointsAtTheEntryThatIsAMisspeltMissingOne)
 {
-    Dictionary const dictionary = Dictionary::fromText("delatT 1; solver { }", "f");
+    Dictionary const dictionary = Dictionary::fromText("a 1;\ndelatT 1;\nsolver { }\nmasss 2;", "f");
     EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.get<Real>("deltaT")); }),
-              "f:1: the entry \"deltaT\" is missing\n    (did you mean delatT?)");
+              "f:2: \"delatT\" looks like a misspelling: the entry \"deltaT\" is missing\n    did you mean deltaT?");
     EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.subDict("solvers")); }),
-              "f:1: the dictionary \"solvers\" is missing\n    (did you mean solver?)");
-    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.subDict("delatT")); }), "f:1: delatT must be a dictionary\n    delatT { ... }");
+              "f:3: \"solver\" looks like a misspelling: the dictionary \"solvers\" is missing\n    did you mean solvers?");
+    EXPECT_EQ(refusal([&] {
+                  dictionary.refuseMisspelt({"mass", "density"});
+              }),
+              "f:4: \"masss\" looks like a misspelling: the entry \"mass\" is missing\n    did you mean mass?");
+    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.subDict("a")); }), "f:1: a must be a dictionary\n    a { ... }");
+}
+
+TEST(DictionaryStrict, takesNoEntryForAMisspellingThatIsKnownOrFar)
+{
+    Dictionary const dictionary = Dictionary::fromText("lower 1;\nyScale 2;", "f");
+    EXPECT_EQ(dictionary.get<Real>("yScale"), 2);
+    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.get<Real>("upper")); }),
+              "f:1: the entry \"upper\" is missing\n    upper <number>;");
+    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.get<Real>("xScale")); }),
+              "f:1: the entry \"xScale\" is missing\n    xScale <number>;");
+    dictionary.refuseMisspelt({"upper", "xScale"});
+}
+
+TEST(DictionaryStrict, saysWhatAMissingEntryMayBe)
+{
+    Dictionary const dictionary = Dictionary::fromText("other 1;", "f");
+    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.getInRange("mu", 0, 2)); }),
+              "f:1: the entry \"mu\" is missing\n    mu <number>;   in [0, 2]");
+    EXPECT_EQ(refusal([&] {
+                  static_cast<void>(dictionary.getDimensioned("rho", {1, -3, 0, 0, 0, 0, 0}));
+              }),
+              "f:1: the entry \"rho\" is missing\n    rho <number>;   dimensions may stand before it: [1 -3 0 0 0 0 0]");
+    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.get<mpsDem::Vector>("U")); }), "f:1: the entry \"U\" is missing\n    U (x y z);");
+    EXPECT_EQ(refusal([&] {
+                  static_cast<void>(dictionary.getWord("law", {"linear", "hertz"}, "laws"));
+              }),
+              "f:1: the entry \"law\" is missing\n    law <word>;   known laws: linear, hertz");
+}
+
+TEST(DictionaryStrict, saysThatAPlainNumberTakesNoDimensions)
+{
+    Dictionary const dictionary =
+        Dictionary::fromText("spacing [0 1 0 0 0 0 0] 0.02;\nE E [1 -1 -2 0 0 0 0] 1e6;\ng (0 -9.81);\nh (0 1 2 3);", "f");
+    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.get<Real>("spacing")); }),
+              "f:1: spacing takes no dimensions: it is a plain number in SI units\n    spacing <number>;");
+    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.getInRange("E", 0, 1e9)); }),
+              "f:2: E takes no dimensions: it is a plain number in SI units\n    E <number>;");
+    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.get<mpsDem::Vector>("g")); }),
+              "f:3: g: a vector (x y z) has 3 numbers, not 2\n    in 2-D too: z is 0");
+    EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.get<mpsDem::Vector>("h")); }), "f:4: h: a vector (x y z) has 3 numbers, not more");
+}
+
+TEST(DictionaryStrict, findsWordsThatBeginAlikeOrDifferInCapitals)
+{
+    std::vector<std::string> const laws = {"hertzMindlin", "linearSpringDashpot"};
+    EXPECT_EQ(mpsDem::nearestWord("linearSpring", laws), "linearSpringDashpot");
+    EXPECT_EQ(mpsDem::nearestWord("HERTZMINDLIN", laws), "hertzMindlin");
+    EXPECT_EQ(mpsDem::nearestWord("sticky", laws), "");
+    EXPECT_EQ(mpsDem::nearestWord("", std::vector<std::string>{"x"}), "");
+    EXPECT_EQ(mpsDem::shortNumber(-0.02), "-0.02");
+    EXPECT_EQ(mpsDem::shortNumber(1e-6), "1e-06");
 }
 
 TEST(DictionaryStrict, checksRangesAndWords)

@@ -1,7 +1,10 @@
 #include <limits>
+#include <memory>
+#include <optional>
 
 #include <gtest/gtest.h>
 
+#include "core/Log.h"
 #include "postGauges/Plot.h"
 #include "postGauges/SheetLayout.h"
 #include "postGauges/Text.h"
@@ -71,6 +74,63 @@ TEST(PostGaugesPlot, refusesWhatItDoesNotKnow)
     expectMessage("", "plots is empty");
 }
 
+namespace {
+
+/// Fails, or notes that it was drawn.
+class StandInPlot : public Plot
+{
+public:
+    StandInPlot(std::string const& name, std::vector<std::string>& drawn, std::optional<ExitCode> failure)
+        : Plot(name),
+          drawn_(drawn),
+          failure_(failure)
+    {}
+    void draw(PostCase const&) const override
+    {
+        if (failure_) throw CaseError(*failure_, "no table for " + name());
+        drawn_.push_back(name());
+    }
+
+private:
+    std::vector<std::string>& drawn_;
+    std::optional<ExitCode> failure_;
+};
+
+} // namespace
+
+TEST(PostGaugesPlot, onePlotThatFailsDoesNotStopTheOthers)
+{
+    std::vector<std::string> drawn;
+    std::vector<std::unique_ptr<Plot>> plots;
+    plots.push_back(std::make_unique<StandInPlot>("front", drawn, ExitCode::InputOutput));
+    plots.push_back(std::make_unique<StandInPlot>("energy", drawn, std::nullopt));
+    plots.push_back(std::make_unique<StandInPlot>("waves", drawn, ExitCode::BadInput));
+    muteLog(true);
+    try
+    {
+        drawPlots(plots, {});
+        ADD_FAILURE() << "accepted";
+    }
+    catch (CaseError const& error)
+    {
+        EXPECT_EQ(error.code(), ExitCode::InputOutput);
+        EXPECT_NE(std::string(error.what()).find("2 of 3 plots are not drawn: front, waves"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(drawn, std::vector<std::string>{"energy"});
+    plots.erase(plots.begin(), plots.begin() + 2);
+    try
+    {
+        drawPlots(plots, {});
+        ADD_FAILURE() << "accepted";
+    }
+    catch (CaseError const& error)
+    {
+        EXPECT_EQ(error.code(), ExitCode::BadInput) << "a plot alone fails with its own message";
+        EXPECT_STREQ(error.what(), "no table for waves");
+    }
+    muteLog(false);
+}
+
 TEST(PostGaugesText, namesCannotBecomeCommands)
 {
     EXPECT_EQ(quoted("it's"), "'it''s'");
@@ -109,6 +169,10 @@ TEST(PostGaugesSheetLayout, panelsHaveTheProportionsOfTheWindow)
             EXPECT_GE(panel.bottom, 0);
         }
     }
+    SheetLayout const plain = layOut(6, 3, window, 1200, 1600, 13, 110), titled = layOut(6, 3, window, 1200, 1600, 13, 110, 34);
+    EXPECT_EQ(titled.height, plain.height + 34) << "room for a title";
+    EXPECT_GE((plain.panels[1].left - plain.panels[0].right) * plain.width, 50) << "room for half a number of either axis";
+    EXPECT_LT(plain.bar.top, plain.panels.front().top) << "room for the words above the bar";
     EXPECT_EQ(layOut(6, 3, window, 1200, 1600, 13, 110).rows, 2);
     EXPECT_EQ(layOut(1, 0, {0, 1, 0, 100}, 1200, 800, 13, 110).height, 800) << "a tall window is limited by the height";
 }

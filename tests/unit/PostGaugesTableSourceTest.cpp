@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/Log.h"
 #include "postGauges/ConvergencePlot.h"
+#include "postGauges/Curve.h"
 #include "postGauges/TableSource.h"
 #include "support/TemporaryFolder.h"
 
@@ -72,6 +74,40 @@ TEST(PostGaugesTableSource, messagesNameWhatExists)
     EXPECT_NE(messageOf([&] { (void)source("file \"postProcessing/eta.csv\";").load(postCase); }).find("no file"), std::string::npos);
     Table const table = source("object gauges; startTime latest;").load(postCase);
     EXPECT_NE(messageOf([&] { (void)columnOf(table, "eta1", {}); }).find("known columns: Time, eta0[m]"), std::string::npos);
+}
+
+TEST(PostGaugesTableSource, aTableOutsideIsFoundInTheCaseAndBesideTheTutorials)
+{
+    TemporaryFolder const folder;
+    fs::path const root = folder.path() / "a" / "b" / "case";
+    put(root / "postProcessing" / "x.dat", "# t x\n0 1\n");
+    EXPECT_EQ(findTable(root, "postProcessing/x.dat"), root / "postProcessing/x.dat");
+    char const* const shipped = "../../resources/wedgeEnvelope.dat";
+    EXPECT_TRUE(fs::is_regular_file(findTable(root, shipped))) << "a copied case takes the tutorials' table";
+    EXPECT_EQ(findTable(root, "../../resources/none.dat"), root / "../../resources/none.dat");
+    put(folder.path() / "a" / "resources" / "wedgeEnvelope.dat", "# t x\n0 2\n");
+    EXPECT_TRUE(fs::equivalent(findTable(root, shipped), folder.path() / "a" / "resources" / "wedgeEnvelope.dat"))
+        << "one beside the case first";
+    put(root / "resources" / "wedgeEnvelope.dat", "# t x\n0 3\n");
+    EXPECT_EQ(findTable(root, shipped), root / "resources" / "wedgeEnvelope.dat") << "one in the case before all";
+}
+
+TEST(PostGaugesTableSource, aReferenceThatIsNotThereIsLeftOut)
+{
+    TemporaryFolder const folder;
+    makeCase(folder.path());
+    PostCase postCase;
+    postCase.root = folder.path();
+    auto const sources = [](std::string const& curves) {
+        return readCurveSources(Dictionary::fromText("curves { " + curves + " }"), "curves");
+    };
+    muteLog(true);
+    auto const curves = loadCurves(sources("mpsDem { object gauges; } book { file \"../../book/table.dat\"; }"), postCase);
+    muteLog(false);
+    ASSERT_EQ(curves.size(), 1U);
+    EXPECT_EQ(curves[0].name, "mpsDem");
+    EXPECT_THROW((void)loadCurves(sources("own { file \"postProcessing/own.dat\"; }"), postCase), CaseError) << "what the run should make";
+    EXPECT_THROW((void)loadCurves(sources("own { object forces; }"), postCase), CaseError);
 }
 
 TEST(PostGaugesTableSource, tablesWithOtherColumnsAreNotJoined)

@@ -177,6 +177,12 @@ TEST(RigidBodyPrescribedMotion, WrongTablesAndWordsAreRefused)
     RigidBody body = brick();
     body.restrictTo2D();
     EXPECT_THROW(body.setPrescribedMotion(motion("linearMotion; velocity (0 0 1);")), CaseError);
+    // Seen when the case is read, though the motion stays in the plane for a second: never in the middle of a run.
+    std::string const later = "tabulated6DoFMotion; times (0 1 2); ";
+    EXPECT_THROW(body.setPrescribedMotion(motion(later + "translations ((0 0 0) (1 0 0) (2 0 1));")), CaseError);
+    EXPECT_THROW(body.setPrescribedMotion(motion(later + "rotations ((0 0 0) (0 0 5) (0 5 5));")), CaseError);
+    EXPECT_NO_THROW(
+        body.setPrescribedMotion(motion(later + "translations ((0 0 0) (1 0 0) (2 1 0)); rotations ((0 0 0) (0 0 5) (0 0 9));")));
 }
 
 } // namespace

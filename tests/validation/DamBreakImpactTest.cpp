@@ -46,11 +46,12 @@ Real sensor(std::map<Real, Real> const& pressure, Real y)
     return sum / area;
 }
 
-/// P at sensor 2 over tau, a value a step.
-Curve impact(Column const& column, Real endTau)
+/// P at sensor 2 over tau, a value a step. @param schemes  system/mpsSchemes; empty: the standard ones.
+Curve impact(Column const& column, Real endTau, std::string const& schemes = {})
 {
     Real const unit = std::sqrt(height / gravity);
     RunCase run(column.spacing);
+    if (!schemes.empty()) run.write("system/mpsSchemes", schemes);
     makeColumn(run, column, endTau * unit);
     Curve curve;
     run.run([&](Scene const& scene, Step const& step) {
@@ -97,11 +98,11 @@ void expectMeanInBand(std::string const& name, Curve const& curve, Experiment co
 }
 
 /// The same column on five lattices, moved by shares of a spacing along x and y.
-std::vector<Curve> onFiveLattices(Real spacing, Real endTau)
+std::vector<Curve> onFiveLattices(Real spacing, Real endTau, std::string const& schemes = {})
 {
     constexpr std::array<std::array<Real, 2>, 5> offsets{{{0, 0}, {0.1, 0.1}, {-0.1, 0.2}, {0.2, -0.1}, {-0.2, -0.2}}};
     std::vector<Curve> curves;
-    for (auto const& [x, y] : offsets) curves.push_back(impact({.spacing = spacing, .offsetX = x, .offsetY = y}, endTau));
+    for (auto const& [x, y] : offsets) curves.push_back(impact({.spacing = spacing, .offsetX = x, .offsetY = y}, endTau, schemes));
     return curves;
 }
 
@@ -121,6 +122,16 @@ void expectMeansInBand(std::string const& name, std::vector<Curve> const& curves
     Experiment const known;
     overLattices(name + ", mean P, " + window.name, curves, [&](Curve const& curve) { return curve.mean(window.from, window.to); });
     for (Curve const& curve : curves) expectMeanInBand(name, curve, known, window);
+}
+
+/// Standard deviation of the single steps while water stands at the wall, 0.55 to 0.9 s.
+Real noise(Curve const& curve)
+{
+    Real const unit = std::sqrt(height / gravity);
+    Series series;
+    for (auto const& [time, value] : curve.points())
+        if (time > 0.55 / unit && time < 0.9 / unit) series.add(value);
+    return series.deviation();
 }
 
 /// P reaches 1/2 when the first to the last of the repeats do, by the percentiles.
@@ -149,6 +160,18 @@ TEST(DamBreakImpactGate, arrivalAndImpulsesOnFiveLattices)
     expectMeansInBand("wall pressure, H/60", fine, impactTime);
     expectMeansInBand("wall pressure, H/60", fine, load);
     expectArrivalInBand("wall pressure, H/60", fine);
+}
+
+// The noise halves where sparse particles, 0.7 < n < 0.8, are surface wherever they are. Measured: 0.47 and 0.21. The mean over the load rises
+// above the band with it, so it is no default; see etc/doc/validation.md.
+TEST(DamBreakImpactGate, isQuieterWithoutSparseParticlesInTheWater)
+{
+    Real const endTau = 5.2;
+    Series const usual = overLattices("wall pressure, H/30, noise", onFiveLattices(height / 30, endTau), noise);
+    std::string const schemes = "freeSurfaceSchemes { lowDensity 0.8; }";
+    Series const dense = overLattices("wall pressure, H/30, noise, lowDensity 0.8", onFiveLattices(height / 30, endTau, schemes), noise);
+    expectBelow("wall pressure, H/30, noise, lowDensity 0.8 over 0.7", dense.mean() / usual.mean(), 0.7);
+    expectBelow("wall pressure, H/30, noise, lowDensity 0.8, worst", dense.largest(), 0.3);
 }
 
 // Measured: peak 7.0 to 25.2, mean 13.7 (experiment 1.8 to 2.0); 23 % of the time of the impact in the band, 18 % of the load. The first water

@@ -53,6 +53,7 @@ void StopRequest::serve(Scene& scene, double clockSeconds)
 
 void StopRequest::rereadControl(Scene& scene)
 {
+    if (!scene.time().modifiable()) return;
     std::error_code error;
     auto const time = std::filesystem::last_write_time(controlFile_, error);
     auto const size = std::filesystem::file_size(controlFile_, error);

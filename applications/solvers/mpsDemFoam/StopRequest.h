@@ -12,7 +12,8 @@ class Scene;
 ///   SIGUSR2, SIGTERM, SIGINT         writes the state and stops (exit code 3)
 ///   a file `stop` in the case folder the same; the file is removed
 ///   maxClockTime of controlDict      the same
-///   an edited controlDict            endTime, writeInterval and stopAt are taken over, a broken one is warned of and ignored
+///   an edited controlDict            endTime, writeInterval and stopAt are taken over, a broken one is warned of and ignored;
+///                                  with runTimeModifiable no nothing is
 class StopRequest
 {
 public:

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <ctime>
+#include <optional>
 
 #include "common/CommandLine.h"
 #include "core/Log.h"
@@ -18,6 +19,7 @@ using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 
 /// One step of the paper's method, t^m -> t^{m+1}. A stage whose effect the case does not name does nothing.
+/// It may be undone and taken again with half its length: see Scene::takeStep.
 void advance(Scene& scene, Step const& step)
 {
     scene.moveBoundaries();       // wall particles of bodies follow their body
@@ -28,14 +30,14 @@ void advance(Scene& scene, Step const& step)
     scene.loadBodies(step);       // eqs 15-16, added mass
     scene.advanceBodies(step);    // eqs 11-12 in sub-steps of eqs 13-14
     scene.correctFluid(step);     // eq 4: u^{m+1}, r^{m+1}; collision, shifting
-    scene.observe(step);          // function objects
 }
 
 int run(CommandLine const& line)
 {
     Clock::time_point const begin = Clock::now();
     CaseFolder const folder(line.caseRoot());
-    CaseLock const lock(folder.root());
+    std::optional<CaseLock> lock; // a dry run writes nothing, and the case may be read-only
+    if (!line.found("dry-run")) lock.emplace(folder.root());
     info() << "Create time\n" << std::endl;
     Scene scene(folder, {.functionObjects = !line.found("noFunctionObjects")});
     if (line.found("dry-run"))
@@ -51,9 +53,9 @@ int run(CommandLine const& line)
     Clock::time_point const loopBegin = Clock::now();
     while (scene.time().running())
     {
-        Step const step = scene.nextStep();
-        advance(scene, step);
+        Step const step = scene.takeStep([&scene](Step const& wanted) { advance(scene, wanted); });
         scene.logStep(step, static_cast<double>(std::clock()) / CLOCKS_PER_SEC, secondsSince(begin));
+        scene.observe(step); // function objects; what they tell stands behind the step in the log
         scene.writeIfDue(step);
         requests.serve(scene, secondsSince(begin));
         progress.show(scene.time().time());

@@ -105,7 +105,7 @@ ConvergencePlot::Rows ConvergencePlot::rowsOf(std::vector<StudyRun> runs, Axes c
 
 void ConvergencePlot::draw(PostCase const& postCase) const
 {
-    auto const path = postCase.resolve(file_);
+    auto const path = findTable(postCase.root, file_);
     Location const where{path.string(), 0, {}};
     auto const runs = readStudy(path);
     auto const schemes = schemesOf(runs);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/Log.h"
 #include "postGauges/Text.h"
 
 namespace mpsDem::postGauges {
@@ -88,6 +89,20 @@ Curve CurveSource::load(PostCase const& postCase) const
     for (Real& y : curve.points.y) y = yScale * y + yOffset;
     for (Real& y : curve.upper) y = yScale * y + yOffset;
     return curve;
+}
+
+std::vector<Curve> loadCurves(std::vector<CurveSource> const& sources, PostCase const& postCase)
+{
+    std::vector<Curve> curves;
+    for (CurveSource const& source : sources)
+    {
+        auto const path = source.table.path(postCase);
+        if (source.table.isReference() && !std::filesystem::is_regular_file(path))
+            warn(source.table.where.str() + ": there is no file " + postCase.shown(path) + ", drawn without \"" + source.name + "\"");
+        else
+            curves.push_back(source.load(postCase));
+    }
+    return curves;
 }
 
 std::vector<CurveSource> readCurveSources(Dictionary const& dict, std::string const& key, CurveStyle const& defaults)

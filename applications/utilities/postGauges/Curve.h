@@ -63,6 +63,9 @@ struct CurveSource
     [[nodiscard]] Curve load(PostCase const& postCase) const;
 };
 
+/// Loads curves in their order. A reference (TableSource::isReference) whose file is not there is left out with a warning.
+std::vector<Curve> loadCurves(std::vector<CurveSource> const& sources, PostCase const& postCase);
+
 /// Reads all entries of `curves { name {...} ... }`; none where the key is missing.
 std::vector<CurveSource> readCurveSources(Dictionary const& dict, std::string const& key, CurveStyle const& defaults = {});
 

@@ -43,8 +43,8 @@ void CurvesPlot::readComparison(Dictionary const& dict)
 
 void CurvesPlot::draw(PostCase const& postCase) const
 {
-    std::vector<Curve> curves;
-    for (CurveSource const& source : sources_) curves.push_back(source.load(postCase));
+    std::vector<Curve> const curves = loadCurves(sources_, postCase);
+    if (curves.empty()) throw CaseError(ExitCode::InputOutput, sources_.front().table.where, "none of the files of the plot is there");
     Picture picture(postCase.plots(), name(), axes_.width, axes_.height, pictures_);
     writeStyle(picture.script());
     axes_.write(picture.script());
@@ -55,9 +55,11 @@ void CurvesPlot::draw(PostCase const& postCase) const
 
 namespace {
 
-Curve const& curveOf(std::vector<Curve> const& curves, std::string const& name)
+/// The curve of that name; null where it was left out.
+Curve const* curveOf(std::vector<Curve> const& curves, std::string const& name)
 {
-    return *std::find_if(curves.begin(), curves.end(), [&](Curve const& curve) { return curve.name == name; });
+    auto const found = std::find_if(curves.begin(), curves.end(), [&](Curve const& curve) { return curve.name == name; });
+    return found == curves.end() ? nullptr : &*found;
 }
 
 /// Part of the curve between two x.
@@ -106,13 +108,21 @@ void logCrests(std::string const& name, Crest const& crest, Crest const& expecte
 void CurvesPlot::compare(PostCase const& postCase, std::vector<Curve> const& curves) const
 {
     Comparison const& asked = *comparison_;
-    Points const& reference = curveOf(curves, asked.reference).points;
+    Curve const* const truth = curveOf(curves, asked.reference);
+    if (!truth)
+    {
+        warn("nothing is compared in " + name() + ": the curve \"" + asked.reference + "\" is not there");
+        return;
+    }
+    Points const& reference = truth->points;
     std::string table = "# differences from the curve " + asked.reference + "; crest: first crest, curve minus reference, nan: none\n";
     for (std::size_t i = 0; i < asked.curves.size(); ++i) table += "# curve " + std::to_string(i) + ": " + asked.curves[i] + '\n';
     table += "# curve rms max xOfMax referenceRange points crestX crestY crestDeltaX crestDeltaY\n";
     for (std::size_t i = 0; i < asked.curves.size(); ++i)
     {
-        Points const& points = curveOf(curves, asked.curves[i]).points;
+        Curve const* const curve = curveOf(curves, asked.curves[i]);
+        if (!curve) continue;
+        Points const& points = curve->points;
         require(increases(finitePoints(points)), asked.where, "x of \"" + asked.curves[i] + "\" does not increase: it cannot be compared");
         auto const difference = compareCurves(points, reference, asked.from, asked.to);
         require(difference.has_value(), asked.where, "\"" + asked.curves[i] + "\" and \"" + asked.reference + "\" have no x in common",

@@ -111,7 +111,7 @@ void GaugesPlot::drawPicture(PostCase const& postCase, std::vector<Real> const& 
         else
             curves.push_back(curve);
     }
-    for (CurveSource const& reference : references_) curves.push_back(reference.load(postCase));
+    for (Curve const& reference : loadCurves(references_, postCase)) curves.push_back(reference);
     if (curves.empty()) return;
     Picture picture(postCase.plots(), name(), axes_.width, axes_.height, pictures_);
     writeStyle(picture.script());

@@ -49,7 +49,10 @@ std::string fieldLabel(std::string const& field)
 std::vector<ParticleCategory> particleCategories(std::string const& field)
 {
     if (field == "type")
-        return {{3, "ghost rows", "#c4c4c4"}, {0, "fluid", "#9ecae9"}, {2, "wall, dry (ghost)", "#222222"}, {1, "wall", "#d55e00"}};
+        return {{3, "ghost rows behind", "#c4c4c4"},
+                {0, "fluid", "#9ecae9"},
+                {2, "boundary, dry: ghost", "#222222"},
+                {1, "boundary, wet: has pressure", "#d55e00"}};
     return {{0, "interior", "#9ecae9"}, {2, "near the surface", "#009e73"}, {1, "free surface", "#d55e00"}};
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/Log.h"
@@ -13,19 +14,60 @@ namespace {
 /// Radius of a filled point of size 1 [pixels], which differs between gnuplot's terminals (measured, version 5.4).
 constexpr char const* pointRadius = "radius = GPVAL_TERM eq 'svg' ? 5.0 : 3.0\n";
 
-/// Discs of a diameter in metres. Point symbols, since circles in space are polygons of hundreds of bytes each in SVG.
-std::string discStyle(Real diameter, Real pixelsAMetre) { return "pt 7 ps " + number(0.5 * diameter * pixelsAMetre) + "/radius"; }
+/// The discs of one colour, or of one set of values, as rows of data. Discs within the frame are drawn as point symbols, since circles in
+/// space are polygons of hundreds of bytes each in SVG; those on the frame as circles, which gnuplot cuts there, beneath the others. gnuplot
+/// leaves out circles with their centre outside: such a one becomes one with its centre on the frame that cuts it along the same chord.
+class Discs
+{
+public:
+    /// @param radius  [m]
+    Discs(Real radius, Real pixelsAMetre, Window const& window) : radius_(radius), pixelsAMetre_(pixelsAMetre), window_(window) {}
+
+    void add(Vector const& place, Real value)
+    {
+        Real const x = std::clamp(place.x(), window_.xLow, window_.xHigh), y = std::clamp(place.y(), window_.yLow, window_.yHigh);
+        Real const beyond = std::hypot(place.x() - x, place.y() - y);
+        Real const inside = std::min({x - window_.xLow, window_.xHigh - x, y - window_.yLow, window_.yHigh - y});
+        if (inside > radius_)
+            addRow(inner_, {x, y, value});
+        else if (beyond < radius_)
+            addRow(edge_, {x, y, std::sqrt(radius_ * radius_ - beyond * beyond), value});
+    }
+
+    /// Items of a plot command. @param colour  "lc palette" takes the values.
+    [[nodiscard]] std::vector<std::string> items(std::string const& colour, Picture& picture) const
+    {
+        std::vector<std::string> all;
+        bool const byValue = colour.ends_with("palette");
+        if (!edge_.empty())
+            all.push_back(picture.addData(edge_) + " using 1:2:3" + (byValue ? ":4" : "") + " with circles fs solid 1 noborder " + colour +
+                          " notitle");
+        if (!inner_.empty())
+            all.push_back(picture.addData(inner_) + " using 1:2" + (byValue ? ":3" : "") + " with points pt 7 ps " +
+                          number(radius_ * pixelsAMetre_) + "/radius " + colour + " notitle");
+        return all;
+    }
+
+private:
+    Real radius_;
+    Real pixelsAMetre_;
+    Window window_;
+    std::string inner_;
+    std::string edge_;
+};
+
+constexpr Real titleRoom = 34; ///< Above a sheet [pixels at 13 points].
+
+/// A place above the upper left corner of the colour bar, as gnuplot takes it.
+std::string aboveBar(SheetLayout const& sheet, Real pixels)
+{
+    return "screen " + number(sheet.bar.left, 6) + ",screen " + number(sheet.bar.top + pixels / sheet.height, 6);
+}
 
 std::string lineOf(Box const& box)
 {
     return "set lmargin at screen " + number(box.left, 9) + "\nset rmargin at screen " + number(box.right, 9) + "\nset bmargin at screen " +
            number(box.bottom, 9) + "\nset tmargin at screen " + number(box.top, 9) + '\n';
-}
-
-bool inWindow(Vector const& place, Window const& window, Real margin)
-{
-    return place.x() > window.xLow - margin && place.x() < window.xHigh + margin && place.y() > window.yLow - margin &&
-           place.y() < window.yHigh + margin;
 }
 
 } // namespace
@@ -37,6 +79,9 @@ void ParticlesPlot::writeColours(std::ostream& script, SheetLayout const& sheet,
     script << "set style fill solid 1 noborder\n";
     script << "set border 15 lw 1 lc rgb '#404040'\nset tics out scale 0.6 nomirror textcolor rgb '#202020'\n";
     script << "set cbtics out scale 0.4\nset format cb '%g'\n";
+    // Values beyond the colours are said to be there.
+    if (scene.below) script << "set cbtics add ('\u2264 " << number(scene.range.first) << "' " << number(scene.range.first, 9) << ")\n";
+    if (scene.above) script << "set cbtics add ('\u2265 " << number(scene.range.second) << "' " << number(scene.range.second, 9) << ")\n";
     if (categorical())
         script << "set key at screen " << number(sheet.bar.left, 6) << ",screen " << number(sheet.bar.top, 6)
                << " left top Left reverse samplen 0.6 spacing 1.4 vertical maxrows 6\n";
@@ -47,45 +92,51 @@ void ParticlesPlot::writePanel(std::ostream& script, SheetLayout const& sheet, s
 {
     auto const columns = static_cast<std::size_t>(sheet.columns);
     bool const left = panel % columns == 0, lowest = panel + columns >= panels;
-    std::string const text = (title_.empty() ? "" : title_ + ", ") + "t = " + fixedNumber(time, scene.decimals) + " s";
+    std::string const text = (title_.empty() || panels > 1 ? "" : title_ + ", ") + "t = " + fixedNumber(time, scene.decimals) + " s";
     script << lineOf(sheet.panels[panel]);
     script << "set xrange [" << number(scene.window.xLow, 9) << ':' << number(scene.window.xHigh, 9) << "]\n";
     script << "set yrange [" << number(scene.window.yLow, 9) << ':' << number(scene.window.yHigh, 9) << "]\n";
     script << "set title " << quoted(text) << " offset 0,-0.4\n";
     script << (lowest ? "set xlabel 'x [m]'\nset format x '%g'\n" : "unset xlabel\nset format x ''\n");
     script << (left ? "set ylabel 'y [m]'\nset format y '%g'\n" : "unset ylabel\nset format y ''\n");
+    script << "unset label\n";
+    if (panel == 0 && panels > 1 && !title_.empty())
+        script << "set label " << quoted(title_) << " at screen "
+               << number(0.5 * (sheet.panels.front().left + sheet.panels[columns - 1].right), 6) << ",screen "
+               << number(1 - 0.5 * titleRoom * pictures_.fontSize / 13 / sheet.height, 6) << " center font ',"
+               << number(1.15 * pictures_.fontSize) << "'\n";
     bool const bar = panel == 0 && !categorical();
     if (bar)
         script << "set colorbox vertical user origin screen " << number(sheet.bar.left, 6) << ",screen " << number(sheet.bar.bottom, 6)
                << " size screen " << number(sheet.bar.right - sheet.bar.left, 6) << ",screen "
-               << number(sheet.bar.top - sheet.bar.bottom, 6) << "\nset cblabel " << quoted(label_) << '\n';
+               << number(sheet.bar.top - sheet.bar.bottom, 6) << "\nset label " << quoted(label_) << " at "
+               << aboveBar(sheet, 1.9 * pictures_.fontSize) << " left\n";
     else
         script << "unset colorbox\n";
     if (panel > 0 || !categorical()) script << "unset key\n";
 }
 
-std::vector<std::string> ParticlesPlot::colouredItems(ParticleFrame const& frame, Scene const& scene, std::string const& discs, bool legend,
+std::vector<std::string> ParticlesPlot::colouredItems(ParticleFrame const& frame, Scene const& scene, SheetLayout const& sheet, bool legend,
                                                       Picture& picture) const
 {
     auto const values = frame.field(field_, where_);
-    std::map<int, std::string> rows;
+    Discs const none(0.5 * discSize_ * scene.spacing, sheet.scale, scene.window);
+    std::map<int, Discs> discs;
     for (std::size_t i = 0; i < values.size(); ++i)
     {
-        Vector const& place = frame.data.position[i];
-        bool const drawn = shows(frame, i) && coloured(frame.type[i]) && inWindow(place, scene.window, scene.spacing);
-        if (drawn) addRow(rows[categorical() ? static_cast<int>(values[i]) : 0], {place.x(), place.y(), scale_ * values[i]});
+        if (!shows(frame, i) || !coloured(frame.type[i])) continue;
+        int const kind = categorical() ? static_cast<int>(values[i]) : 0;
+        discs.try_emplace(kind, none).first->second.add(frame.data.position[i], scale_ * values[i]);
     }
-    if (!categorical())
-        return rows.empty() ? std::vector<std::string>()
-                            : std::vector<std::string>{picture.addData(rows[0]) + " using 1:2:3 " + discs + " lc palette notitle"};
+    if (!categorical()) return discs.empty() ? std::vector<std::string>() : discs.at(0).items("lc palette", picture);
     std::vector<std::string> items;
     for (ParticleCategory const& category : particleCategories(field_))
     {
-        auto const own = rows.find(category.value);
-        if (own == rows.end()) continue;
-        std::string const colour = " lc rgb '" + category.colour + "'";
-        items.push_back(picture.addData(own->second) + " using 1:2 " + discs + colour + " notitle");
-        if (legend) items.push_back("NaN with points pt 7 ps 1.4" + colour + " title " + quoted(category.label));
+        auto const own = discs.find(category.value);
+        if (own == discs.end()) continue;
+        std::string const colour = "lc rgb '" + category.colour + "'";
+        for (std::string const& item : own->second.items(colour, picture)) items.push_back(item);
+        if (legend) items.push_back("NaN with points pt 7 ps 1.4 " + colour + " title " + quoted(category.label));
     }
     return items;
 }
@@ -93,20 +144,15 @@ std::vector<std::string> ParticlesPlot::colouredItems(ParticleFrame const& frame
 std::vector<std::string> ParticlesPlot::items(PostCase const& postCase, ParticleFrame const& frame, Scene const& scene,
                                               SheetLayout const& sheet, bool legend, Picture& picture) const
 {
-    std::string const discs = "with points " + discStyle(discSize_ * scene.spacing, sheet.scale);
-    std::vector<std::string> items;
-    std::string ghosts, walls;
+    Discs ghosts(0.5 * discSize_ * scene.spacing, sheet.scale, scene.window), walls = ghosts;
     for (std::size_t i = 0; i < frame.type.size(); ++i)
     {
-        Vector const& place = frame.data.position[i];
-        bool const drawn = shows(frame, i) && !coloured(frame.type[i]) && inWindow(place, scene.window, scene.spacing);
         bool const ghost = frame.type[i] == static_cast<int>(ParticleKind::Ghost);
-        if (drawn) addRow(ghost ? ghosts : walls, {place.x(), place.y()});
+        if (shows(frame, i) && !coloured(frame.type[i])) (ghost ? ghosts : walls).add(frame.data.position[i], 0);
     }
-    if (!ghosts.empty()) items.push_back(picture.addData(ghosts) + " using 1:2 " + discs + " lc rgb '#cfcfcf' notitle");
-    if (!walls.empty()) items.push_back(picture.addData(walls) + " using 1:2 " + discs + " lc rgb '#7a7a7a' notitle");
-    auto const coloured = colouredItems(frame, scene, discs, legend, picture);
-    items.insert(items.end(), coloured.begin(), coloured.end());
+    std::vector<std::string> items = ghosts.items("lc rgb '#cfcfcf'", picture);
+    for (std::string const& item : walls.items("lc rgb '#7a7a7a'", picture)) items.push_back(item);
+    for (std::string const& item : colouredItems(frame, scene, sheet, legend, picture)) items.push_back(item);
     for (std::string const& body : scene.bodies)
     {
         std::string const data = picture.addData(outlineRows(bodyOutlines(postCase, body, frame.time, where_)));
@@ -120,8 +166,8 @@ std::vector<std::string> ParticlesPlot::items(PostCase const& postCase, Particle
 void ParticlesPlot::drawSheet(PostCase const& postCase, Series const& series, std::vector<std::size_t> const& chosen, Scene const& scene,
                               std::string const& fileName) const
 {
-    auto const sheet =
-        layOut(static_cast<int>(chosen.size()), columns_, scene.window, width_, maxHeight_, pictures_.fontSize, categorical() ? 190 : 110);
+    auto const sheet = layOut(static_cast<int>(chosen.size()), columns_, scene.window, width_, maxHeight_, pictures_.fontSize,
+                              categorical() ? 290 : 110, chosen.size() > 1 && !title_.empty() ? titleRoom : 0);
     Picture picture(postCase.plots(), fileName, sheet.width, sheet.height, pictures_);
     auto& script = picture.script();
     writeColours(script, sheet, scene);

@@ -31,7 +31,7 @@ void ParticlesPlot::readLook(Dictionary const& dict)
     palette_ = dict.getWordOr("palette", "viridis", paletteNames(), "palettes");
     label_ = dict.getOr("label", fieldLabel(field_));
     scale_ = dict.getOr("scale", 1.0);
-    discSize_ = dict.getInRangeOr("discSize", 1, 0.1, 5);
+    discSize_ = dict.getInRangeOr("discSize", categorical() ? 1 : 1.42, 0.1, 5);
     title_ = dict.getOr<std::string>("title", "");
 }
 
@@ -87,10 +87,11 @@ Window ParticlesPlot::windowOf(ParticleFrame const& frame, Real spacing) const
     return {box.xLow - 2 * spacing, box.xHigh + 2 * spacing, box.yLow - 2 * spacing, box.yHigh + 3 * spacing};
 }
 
-std::pair<Real, Real> ParticlesPlot::rangeOf(Series const& series, std::vector<std::size_t> const& chosen) const
+void ParticlesPlot::setRange(Series const& series, std::vector<std::size_t> const& chosen, Scene& scene) const
 {
-    constexpr Real cut = 0.002;
-    Real low = 1e300, high = -1e300;
+    constexpr Real cut = 0.002, beyond = 0.01;
+    constexpr Real unset = 1e300;
+    Real low = unset, high = -unset, lowest = unset, highest = -unset;
     for (std::size_t const index : chosen)
     {
         ParticleFrame const frame = series.frame(index);
@@ -101,11 +102,16 @@ std::pair<Real, Real> ParticlesPlot::rangeOf(Series const& series, std::vector<s
         if (values.empty()) continue;
         low = std::min(low, percentile(values, cut));
         high = std::max(high, percentile(values, 1 - cut));
+        lowest = std::min(lowest, *std::min_element(values.begin(), values.end()));
+        highest = std::max(highest, *std::max_element(values.begin(), values.end()));
     }
-    require(low <= high, where_, "no particle that is shown has a colour", "show (fluid ...); or colourWalls true;");
+    require(range_ || low <= high, where_, "no particle that is shown has a colour", "show (fluid ...); or colourWalls true;");
     if (palette_ == "coolWarm") low = -(high = std::max(std::abs(low), std::abs(high)));
     bool const magnitude = field_ == "p" || field_.starts_with("mag");
-    return niceRange(magnitude && scale_ > 0 ? std::min(0.0, low) : low, high);
+    scene.range = range_ ? *range_ : niceRange(magnitude && scale_ > 0 ? std::min(0.0, low) : low, high);
+    Real const tolerance = beyond * (scene.range.second - scene.range.first);
+    scene.below = lowest < scene.range.first - tolerance;
+    scene.above = highest > scene.range.second + tolerance;
 }
 
 ParticlesPlot::Scene ParticlesPlot::sceneOf(PostCase const& postCase, Series const& series, std::vector<std::size_t> const& chosen) const
@@ -113,7 +119,7 @@ ParticlesPlot::Scene ParticlesPlot::sceneOf(PostCase const& postCase, Series con
     Scene scene;
     scene.spacing = postCase.requireSpacing();
     scene.window = window_ ? *window_ : windowOf(series.frame(chosen.front()), scene.spacing);
-    if (!categorical()) scene.range = range_ ? *range_ : rangeOf(series, chosen);
+    if (!categorical()) setRange(series, chosen, scene);
     scene.bodies = bodies_ ? *bodies_ : seriesNames(postCase);
     if (!bodies_) std::erase(scene.bodies, series_);
     if (bodyStyle_ == "none") scene.bodies.clear();

@@ -17,7 +17,7 @@ namespace mpsDem::postGauges {
 /// |---|---|---|
 /// | times | [s], the nearest written ones are taken | all |
 /// | field | p, magU, Ux, Uy, type, n, surface, or another array | p |
-/// | range | (low high) of the colours; left out: from all pictures' values without the outermost 0.2 %, with coolWarm the same on both sides of 0 | |
+/// | range | (low high) of the colours; left out: from all pictures' values but the outermost 0.2 %, with coolWarm even about 0 | |
 /// | window | ((xMin yMin 0) (xMax yMax 0)) [m] | all that is shown at the first time |
 /// | slice | (zMin zMax) [m], 3-D: only particles between | all |
 /// | show | of fluid, wall, ghost | (fluid wall), with field type all |
@@ -26,8 +26,8 @@ namespace mpsDem::postGauges {
 /// | bodyStyle | outline, filled or none | outline |
 /// | palette | viridis plasma cividis coolWarm grey | viridis |
 /// | label scale | text at the colour bar; factor on the values | the field's; 1 |
-/// | discSize | diameter of a disc in spacings, 0.1 to 5 | 1 |
-/// | title | text before the time | "" |
+/// | discSize | diameter of a disc in spacings, 0.1 to 5 | 1.42, no gaps in a square lattice; for type and surface 1 |
+/// | title | text before the time; above a sheet | "" |
 /// | width maxHeight | of the picture [pixels] | 1200 1600 |
 /// | contactSheet | all times in one picture | false |
 /// | columns | of the sheet; 0: chosen | 0 |
@@ -47,7 +47,9 @@ private:
         std::pair<Real, Real> range = {0, 1};
         Real spacing = 0;
         std::vector<std::string> bodies;
-        int decimals = 2; ///< Of times in file names.
+        int decimals = 2;   ///< Of times in file names.
+        bool below = false; ///< Values beyond the range of the colours, by more than a hundredth of it.
+        bool above = false;
     };
 
     void readLook(Dictionary const& dict);
@@ -57,7 +59,7 @@ private:
     [[nodiscard]] bool coloured(int type) const;
     [[nodiscard]] Scene sceneOf(PostCase const& postCase, Series const& series, std::vector<std::size_t> const& chosen) const;
     [[nodiscard]] Window windowOf(ParticleFrame const& frame, Real spacing) const;
-    [[nodiscard]] std::pair<Real, Real> rangeOf(Series const& series, std::vector<std::size_t> const& chosen) const;
+    void setRange(Series const& series, std::vector<std::size_t> const& chosen, Scene& scene) const;
     void drawSheet(PostCase const& postCase, Series const& series, std::vector<std::size_t> const& chosen, Scene const& scene,
                    std::string const& fileName) const;
     void writeColours(std::ostream& script, SheetLayout const& sheet, Scene const& scene) const;
@@ -65,7 +67,7 @@ private:
                     Real time) const;
     [[nodiscard]] std::vector<std::string> items(PostCase const& postCase, ParticleFrame const& frame, Scene const& scene,
                                                  SheetLayout const& sheet, bool legend, Picture& picture) const;
-    [[nodiscard]] std::vector<std::string> colouredItems(ParticleFrame const& frame, Scene const& scene, std::string const& discs,
+    [[nodiscard]] std::vector<std::string> colouredItems(ParticleFrame const& frame, Scene const& scene, SheetLayout const& sheet,
                                                          bool legend, Picture& picture) const;
 
     std::vector<Real> times_;

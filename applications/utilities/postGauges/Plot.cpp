@@ -1,5 +1,8 @@
 #include "postGauges/Plot.h"
 
+#include <algorithm>
+
+#include "core/Log.h"
 #include "postGauges/ConvergencePlot.h"
 #include "postGauges/CurvesPlot.h"
 #include "postGauges/GaugesPlot.h"
@@ -47,6 +50,32 @@ std::vector<std::unique_ptr<Plot>> readPlots(Dictionary const& dict, PictureSett
     require(!plots.empty(), dict.where("plots"), "plots is empty", "plots { <name> { type curves; ... } }");
     dict.requireAllRead();
     return plots;
+}
+
+void drawPlots(std::vector<std::unique_ptr<Plot>> const& plots, PostCase const& postCase)
+{
+    std::vector<ExitCode> codes;
+    std::string failed;
+    for (auto const& plot : plots)
+    {
+        info() << plot->name() << '\n' << std::flush;
+        try
+        {
+            plot->draw(postCase);
+        }
+        catch (CaseError const& error)
+        {
+            if (plots.size() == 1) throw;
+            warn(plot->name() + " is not drawn: " + error.what());
+            codes.push_back(error.code());
+            failed += (failed.empty() ? "" : ", ") + plot->name();
+        }
+    }
+    if (codes.empty()) return;
+    bool const same = std::all_of(codes.begin(), codes.end(), [&](ExitCode code) { return code == codes.front(); });
+    throw CaseError(same ? codes.front() : ExitCode::InputOutput,
+                    std::to_string(codes.size()) + " of " + std::to_string(plots.size()) + " plots are not drawn: " + failed,
+                    "the warnings above say why");
 }
 
 } // namespace mpsDem::postGauges

@@ -37,4 +37,9 @@ PlotRegistry plotRegistry();
 /// Everything in `plots` of system/postGaugesDict, in its order. Refuses what nobody knows.
 std::vector<std::unique_ptr<Plot>> readPlots(Dictionary const& dict, PictureSettings const& defaults);
 
+/// Draws all plots. One that fails does not keep the others from being drawn: its message is a warning, and the end is an error that names
+/// all that failed. A plot alone fails with its own message.
+/// @throw CaseError (InputOutput; where all failures have one code: that)
+void drawPlots(std::vector<std::unique_ptr<Plot>> const& plots, PostCase const& postCase);
+
 } // namespace mpsDem::postGauges

@@ -1,6 +1,7 @@
 #include "postGauges/PostCase.h"
 
 #include "core/Log.h"
+#include "core/dictionary/Reader.h"
 #include "io/OutputFile.h"
 
 namespace mpsDem::postGauges {
@@ -42,6 +43,25 @@ std::string PostCase::shown(fs::path const& path) const
     fs::path const relative = path.lexically_normal().lexically_relative(root.lexically_normal());
     bool const inside = !relative.empty() && *relative.begin() != "..";
     return inside ? relative.string() : path.lexically_normal().string();
+}
+
+fs::path findTable(fs::path const& root, std::string const& path)
+{
+    fs::path const given = root / path;
+    fs::path below;
+    bool leaves = false;
+    for (fs::path const& part : fs::path(path).lexically_normal())
+        if (below.empty() && part == "..")
+            leaves = true;
+        else
+            below /= part;
+    fs::path const etc = dictionary::etcFolder();
+    std::error_code error;
+    if (!leaves) return given;
+    if (fs::is_regular_file(root / below, error)) return root / below;
+    if (fs::is_regular_file(given, error) || etc.empty()) return given;
+    fs::path const shipped = etc.parent_path() / "tutorials" / below;
+    return fs::is_regular_file(shipped, error) ? shipped : given;
 }
 
 void writeTable(PostCase const& postCase, std::string const& fileName, std::string const& contents)

@@ -37,6 +37,11 @@ struct PostCase
     [[nodiscard]] std::string shown(std::filesystem::path const& path) const;
 };
 
+/// A table that a dictionary names by a path, relative to a case. A path that leaves the case ("../../resources/slide.dat") is looked for
+/// without its leading ".." in the case itself first, then as it stands, then beside the tutorials of this installation or source tree, so
+/// that a case can be copied anywhere. Where no file is found: the path as it stands.
+std::filesystem::path findTable(std::filesystem::path const& root, std::string const& path);
+
 /// Writes a table into the folder of the plots and says so on the log.
 void writeTable(PostCase const& postCase, std::string const& fileName, std::string const& contents);
 

@@ -124,7 +124,7 @@ void ProfilesPlot::addReferences(PostCase const& postCase, std::vector<Profile>&
         if (profile == all.end() && postCase.times.given()) continue;
         require(profile != all.end(), source.table.where, "there is no profile at the time of this reference",
                 "times (" + number(time) + " ...);");
-        profile->curves.push_back(source.load(postCase));
+        for (Curve const& curve : loadCurves({source}, postCase)) profile->curves.push_back(curve);
     }
 }
 

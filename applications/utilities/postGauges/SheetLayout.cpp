@@ -14,7 +14,7 @@ struct Margins
     Real right = 0;
     Real bottom = 74;
     Real top = 44;
-    Real between = 26;     ///< Beside each other.
+    Real between = 52;     ///< Beside each other: half a number of each axis.
     Real betweenRows = 44; ///< Title of the lower one.
     Real barGap = 22;      ///< Panels to colour bar.
     Real barWidth = 20;
@@ -49,9 +49,10 @@ int chooseColumns(int count, Real proportion)
 
 } // namespace
 
-SheetLayout layOut(int count, int columns, Window const& window, int width, int mostHeight, int fontSize, Real sideText)
+SheetLayout layOut(int count, int columns, Window const& window, int width, int mostHeight, int fontSize, Real sideText, Real titleRoom)
 {
-    Margins const m = marginsFor(fontSize, sideText);
+    Margins m = marginsFor(fontSize, sideText);
+    m.top += titleRoom * fontSize / 13.0;
     Real const sizeX = window.xHigh - window.xLow, sizeY = window.yHigh - window.yLow;
     SheetLayout sheet;
     sheet.columns = columns > 0 ? std::min(columns, count) : chooseColumns(count, sizeX / sizeY);
@@ -73,8 +74,9 @@ SheetLayout layOut(int count, int columns, Window const& window, int width, int 
     }
     Real const barLeft = wide - m.right + m.barGap;
     Real const block = high - m.top - m.bottom;
-    Real const barHeight = std::min(block, std::max(panelY, 420.0 * fontSize / 13.0));
-    Real const barBottom = m.bottom + 0.5 * (block - barHeight);
+    Real const barTitle = 30.0 * fontSize / 13.0; // above the bar
+    Real const barHeight = std::min(block - barTitle, std::max(panelY, 420.0 * fontSize / 13.0));
+    Real const barBottom = m.bottom + 0.5 * (block - barTitle - barHeight);
     sheet.bar = {barLeft / wide, (barLeft + m.barWidth) / wide, barBottom / high, (barBottom + barHeight) / high};
     return sheet;
 }

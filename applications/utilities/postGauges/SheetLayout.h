@@ -41,8 +41,10 @@ struct SheetLayout
 /// @param columns    0: chosen so that the sheet is about as wide as high.
 /// @param width      Of the picture [pixels]; made smaller where it would be higher than `mostHeight`.
 /// @param fontSize   [points]; margins grow with it.
+/// @param titleRoom  Above the panels, for a title of the sheet [pixels at 13 points].
 /// @param sideText   Room for the words beside the colour bar or for a legend in its place [pixels at 13 points].
-SheetLayout layOut(int count, int columns, Window const& window, int width, int mostHeight, int fontSize, Real sideText);
+SheetLayout layOut(int count, int columns, Window const& window, int width, int mostHeight, int fontSize, Real sideText,
+                   Real titleRoom = 0);
 
 /// Rounds a range outwards to numbers that read well: (0.3 9788) -> (0 10000).
 std::pair<Real, Real> niceRange(Real low, Real high);

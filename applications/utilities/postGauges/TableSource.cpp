@@ -145,17 +145,28 @@ TableSource TableSource::read(Dictionary const& dict)
     return source;
 }
 
+bool TableSource::isReference() const
+{
+    fs::path const parts = file;
+    return object.empty() && std::find(parts.begin(), parts.end(), "postProcessing") == parts.end();
+}
+
+fs::path TableSource::path(PostCase const& postCase) const
+{
+    return findTable(caseFolder.empty() ? postCase.root : postCase.resolve(caseFolder), file);
+}
+
 Table TableSource::load(PostCase const& postCase) const
 {
-    fs::path const root = caseFolder.empty() ? postCase.root : postCase.resolve(caseFolder);
     if (object.empty())
     {
-        fs::path const path = root / file;
-        if (!fs::is_regular_file(path))
-            throw CaseError(ExitCode::InputOutput, where, "there is no file " + postCase.shown(path),
-                            "files there: " + listed(entriesOf(path.parent_path(), false)));
-        return readTable(path);
+        fs::path const table = path(postCase);
+        if (!fs::is_regular_file(table))
+            throw CaseError(ExitCode::InputOutput, where, "there is no file " + postCase.shown(table),
+                            "files there: " + listed(entriesOf(table.parent_path(), false)));
+        return readTable(table);
     }
+    fs::path const root = caseFolder.empty() ? postCase.root : postCase.resolve(caseFolder);
     fs::path const folder = root / "postProcessing" / object;
     auto starts = startsOf(folder);
     if (starts.empty())

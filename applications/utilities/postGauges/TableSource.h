@@ -26,6 +26,11 @@ struct TableSource
     std::string startTime = "all";
     Location where;
 
+    /// Whether it is a file that the run does not make: no table of an object and none in a folder postProcessing.
+    [[nodiscard]] bool isReference() const;
+    /// The file of a source without object (findTable).
+    [[nodiscard]] std::filesystem::path path(PostCase const& postCase) const;
+
     static TableSource read(Dictionary const& dict);
 
     /// @throw CaseError where a folder, file or time is missing; the message names those that exist.

@@ -30,18 +30,14 @@ int work(CommandLine const& line)
     auto const dict = Dictionary::fromFile(file, root);
     dict.requireHeader();
     auto const postCase = PostCase::read(root, {line.valueOr("time", ""), line.found("latestTime")}, dict);
-    auto const plots = readPlots(dict, postCase.pictures);
+    auto plots = readPlots(dict, postCase.pictures);
     auto const only = line.value("only");
     std::vector<std::string> names;
     for (auto const& plot : plots) names.push_back(plot->name());
     require(!only || std::find(names.begin(), names.end(), *only) != names.end(), dict.where("plots"),
             "there is no plot \"" + only.value_or("") + "\"", knownWords("plots", only.value_or(""), names));
-    for (auto const& plot : plots)
-    {
-        if (only && plot->name() != *only) continue;
-        info() << plot->name() << '\n' << std::flush;
-        plot->draw(postCase);
-    }
+    if (only) std::erase_if(plots, [&](auto const& plot) { return plot->name() != *only; });
+    drawPlots(plots, postCase);
     info() << "\nEnd\n" << std::flush;
     return 0;
 }

@@ -25,9 +25,11 @@ bool isBeneath(fs::path const& file, fs::path const& folder)
 
 fs::path resolved(fs::path const& path)
 {
+    // Made absolute first: weakly_canonical leaves a relative path whose first part is not there relative.
     std::error_code error;
-    fs::path const result = fs::weakly_canonical(path, error);
-    return error ? path.lexically_normal() : result;
+    fs::path const whole = path.empty() ? path : fs::absolute(path, error);
+    fs::path const result = fs::weakly_canonical(whole, error);
+    return error ? whole.lexically_normal() : result;
 }
 
 std::string chain(std::vector<fs::path> const& files, fs::path const& last)

@@ -9,6 +9,19 @@
 
 namespace mpsDem::dictionary {
 
+std::string dimensionsText(std::vector<int> const& exponents)
+{
+    std::string text;
+    for (int const exponent : exponents) text += (text.empty() ? "[" : " ") + std::to_string(exponent);
+    return text + "]";
+}
+
+bool ValueReader::seesNameOfDimensions() const
+{
+    bool const word = !atEnd() && entry_.tokens[next_].kind == TokenKind::Word;
+    return word && next_ + 1 < entry_.tokens.size() && entry_.tokens[next_ + 1].isPunctuation('[');
+}
+
 std::string ValueReader::found() const { return atEnd() ? std::string("nothing") : shown(tokensText({entry_.tokens[next_]})); }
 
 Location ValueReader::here() const
@@ -71,6 +84,7 @@ void ValueReader::take(Real& value)
 {
     bool const plus = sees('+') && next_ + 1 < entry_.tokens.size() && entry_.tokens[next_ + 1].isNumber();
     if (plus) ++next_;
+    require(!seesDimensions(), here(), entry_.key + " takes no dimensions: it is a plain number in SI units", entry_.key + " <number>;");
     value = expectToken(!atEnd() && entry_.tokens[next_].isNumber(), "a number").number;
 }
 
@@ -78,8 +92,14 @@ void ValueReader::take(std::string& value) { value = expectToken(!atEnd() && ent
 
 void ValueReader::takeNumbers(Real* values, int count, std::string const& what)
 {
+    std::string const hint = entry_.key + ": " + what + " has " + std::to_string(count) + " numbers, not ";
     expectToken(sees('('), what);
-    for (int i = 0; i < count; ++i) take(values[i]);
+    for (int i = 0; i < count; ++i)
+    {
+        require(!sees(')'), here(), hint + std::to_string(i), count == 3 && i == 2 ? "in 2-D too: z is 0" : "");
+        take(values[i]);
+    }
+    require(atEnd() || !entry_.tokens[next_].isNumber(), here(), hint + "more");
     expectToken(sees(')'), "')' behind " + std::to_string(count) + " numbers");
 }
 
@@ -99,9 +119,7 @@ void ValueReader::skipUniform()
 
 void ValueReader::takeDimensions(std::vector<int> const& expected)
 {
-    bool const named = !atEnd() && entry_.tokens[next_].kind == TokenKind::Word && next_ + 1 < entry_.tokens.size() &&
-                       entry_.tokens[next_ + 1].isPunctuation('[');
-    if (named) ++next_;
+    if (seesNameOfDimensions()) ++next_;
     if (!sees('[')) return;
     Location const where = here();
     std::vector<Real> given;
@@ -114,9 +132,7 @@ void ValueReader::takeDimensions(std::vector<int> const& expected)
     given.resize(7, 0);
     std::vector<Real> wanted(expected.begin(), expected.end());
     wanted.resize(7, 0);
-    std::string text;
-    for (Real const exponent : wanted) text += (text.empty() ? "[" : " ") + std::to_string(static_cast<int>(exponent));
-    require(given == wanted, where, entry_.key + " has the wrong dimensions", "allowed: " + text + "] or none");
+    require(given == wanted, where, entry_.key + " has the wrong dimensions", "allowed: " + dimensionsText(expected) + " or none");
 }
 
 void ValueReader::finish() const

@@ -7,6 +7,9 @@
 
 namespace mpsDem::dictionary {
 
+/// Exponents of dimensions as they are written: "[1 -3 0 0 0 0 0]".
+std::string dimensionsText(std::vector<int> const& exponents);
+
 /// Takes typed values from the tokens of one entry, front to back. Every function throws CaseError where the tokens don't fit.
 class ValueReader
 {
@@ -37,6 +40,9 @@ private:
     [[nodiscard]] bool atEnd() const { return next_ >= entry_.tokens.size(); }
     [[nodiscard]] bool sees(char punctuation) const { return !atEnd() && entry_.tokens[next_].isPunctuation(punctuation); }
     [[nodiscard]] bool seesWord(char const* word) const { return !atEnd() && entry_.tokens[next_].isWord(word); }
+    /// Whether `[` or `name [` comes next.
+    [[nodiscard]] bool seesDimensions() const { return sees('[') || seesNameOfDimensions(); }
+    [[nodiscard]] bool seesNameOfDimensions() const;
     [[nodiscard]] std::string found() const;
     [[nodiscard]] Location here() const;
     Token const& expectToken(bool fits, std::string const& what);

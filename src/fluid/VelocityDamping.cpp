@@ -1,0 +1,89 @@
+#include "fluid/VelocityDamping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/LU>
+
+namespace mpsDem {
+
+namespace {
+
+/// Determinant of C^-1 below which a particle has too few neighbours for a gradient of its velocity.
+constexpr Real smallestDeterminant = 0.1;
+/// Largest share of a deviation that one step takes away.
+constexpr Real largestShare = 0.5;
+
+} // namespace
+
+std::unique_ptr<VelocityDamping> VelocityDamping::read(Dictionary const& velocityDamping, Lattice const& lattice, Real n0, Real gravity)
+{
+    std::string const type = velocityDamping.getWordOr("type", "none", {"deviation", "none"}, "dampings of velocity");
+    Real const coefficient = velocityDamping.getInRangeOr("coefficient", 1, 0, 10);
+    if (type == "none" || coefficient <= 0 || gravity <= 0) return nullptr;
+    Real const rate = coefficient * std::sqrt(std::numbers::pi * gravity / lattice.spacing);
+    return std::unique_ptr<VelocityDamping>(new VelocityDamping(rate, n0));
+}
+
+template <int d>
+void VelocityDamping::findGradients(ParticleSet const& particles, NeighbourList const& neighbours)
+{
+    using Square = Eigen::Matrix<Real, d, d>;
+    using Short = Eigen::Matrix<Real, d, 1>;
+    int const* const index = neighbours.index();
+    Real const* const w = neighbours.gradientWeight();
+    Real const factor = d / n0_;
+    for (int i : particles.fluid())
+    {
+        Vector const ri = particles.r[i], ui = particles.u[i];
+        Square moment = Square::Zero(), slope = Square::Zero();
+        for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
+        {
+            int const j = index[k];
+            if (!particles.isFluid(j)) continue;
+            Short const r = (particles.r[j] - ri).template head<d>();
+            Short const q = w[k] / (r.squaredNorm() + tiny) * r;
+            moment.noalias() += r * q.transpose();
+            slope.noalias() += (particles.u[j] - ui).template head<d>() * q.transpose();
+        }
+        moment *= factor;
+        defined_[i] = moment.determinant() > smallestDeterminant;
+        if (!defined_[i]) continue;
+        gradient_[i].setZero();
+        gradient_[i].template topLeftCorner<d, d>() = factor * slope * moment.inverse();
+    }
+}
+
+void VelocityDamping::addTo(ParticleSet& particles, NeighbourList const& neighbours, PeriodicImages const& images, Real dt)
+{
+    gradient_.reserve(particles.r.capacity());
+    gradient_.resize(particles.r.size());
+    defined_.reserve(particles.r.capacity());
+    defined_.assign(particles.r.size(), 0);
+    if (particles.lattice().dimensions == 2)
+        findGradients<2>(particles, neighbours);
+    else
+        findGradients<3>(particles, neighbours);
+    images.update(gradient_, particles.halo());
+    images.update(defined_, particles.halo());
+    int const* const index = neighbours.index();
+    Real const* const w = neighbours.gradientWeight();
+    Real const share = std::min(dt * rate_, largestShare) / n0_;
+    for (int i : particles.fluid())
+    {
+        if (!defined_[i]) continue;
+        Vector const ri = particles.r[i], ui = particles.u[i];
+        Tensor const& gradient = gradient_[i];
+        Vector sum = Vector::Zero();
+        for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
+        {
+            int const j = index[k];
+            if (w[k] <= 0 || !defined_[j]) continue;
+            sum += w[k] * (particles.u[j] - ui - 0.5 * ((gradient + gradient_[j]) * (particles.r[j] - ri)));
+        }
+        particles.uStar[i] += share * sum;
+    }
+}
+
+} // namespace mpsDem

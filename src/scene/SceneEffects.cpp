@@ -1,0 +1,99 @@
+#include <sstream>
+
+#include "core/Log.h"
+#include "scene/Scene.h"
+
+namespace mpsDem {
+
+namespace {
+
+/// What the entry `group { key ...; }` of system/mpsSchemes says, or that it is left to the set of schemes.
+std::string entryOf(std::optional<Dictionary> const& schemes, std::string const& group, std::string const& key)
+{
+    Dictionary const all = schemes.value_or(Dictionary());
+    Dictionary const dict = all.subDictOrEmpty(group);
+    if (dict.found(key)) return "mpsSchemes/" + group + ": " + key + " " + dict.entryText(key);
+    return std::string("default of schemeSet ") + (readSchemeSet(all) == SchemeSet::Paper ? "paper" : "standard");
+}
+
+std::string withNumber(std::string const& text, Real value, std::string const& unit)
+{
+    std::ostringstream out;
+    out << text << value << unit;
+    return out.str();
+}
+
+/// "a, b, c".
+template <class Range, class NameOf>
+std::string listed(Range const& range, NameOf const& nameOf)
+{
+    std::string names;
+    for (auto const& item : range) names += (names.empty() ? "" : ", ") + std::string(nameOf(item));
+    return names;
+}
+
+std::string enabledOf(Dictionary const& functions)
+{
+    std::vector<std::string> names;
+    for (std::string const& name : functions.dictKeys())
+        if (functions.subDict(name).getOr<bool>("enabled", true)) names.push_back(name);
+    return listed(names, [](std::string const& name) { return name; });
+}
+
+} // namespace
+
+void Scene::listEffects()
+{
+    listFluidEffects();
+    listBodyEffects();
+    bool const on = guard_->active(), given = dicts_.control.subDictOrEmpty("redoSteps").found("active");
+    effects_.add("redo of steps", guard_->redoes(),
+                 on && !guard_->redoes() ? "adjustTimeStep no: steps are watched only"
+                 : given                 ? std::string("controlDict/redoSteps: active ") + (on ? "yes" : "no")
+                                         : std::string("default of schemeSet ") + (on ? "standard" : "paper"));
+    bool const observed = observers_ && !observers_->empty();
+    Dictionary const functions = dicts_.control.subDictOrEmpty("functions");
+    effects_.add("function objects", observed,
+                 observed     ? "controlDict/functions names " + enabledOf(functions)
+                 : observers_ ? "none in controlDict/functions"
+                              : "option -noFunctionObjects");
+    effects_.print(info());
+    if (!solids_ || !solids_->contacts()) return;
+    std::vector<RigidBody*> pointers;
+    for (auto const& body : bodies_) pointers.push_back(body.get());
+    solids_->contacts()->report(info(), pointers);
+    info() << std::endl;
+}
+
+void Scene::listFluidEffects()
+{
+    bool const on = fluid_ != nullptr;
+    effects_.add("fluid", on,
+                 on ? withNumber("constant/transportProperties gives rho ", fluid_->fluid().density(), " kg/m3")
+                    : "no constant/transportProperties");
+    if (!on) return;
+    Fluid const& fluid = fluid_->fluid();
+    Dictionary const viscosity = dicts_.schemes.value_or(Dictionary()).subDictOrEmpty("viscositySchemes");
+    effects_.add("viscosity", fluid.viscosity() != nullptr,
+                 fluid.viscosity() ? withNumber(std::string(fluid.viscosity()->name()) + " for nu ", fluid.nu(), " m2/s, ") +
+                                         entryOf(dicts_.schemes, "viscositySchemes", "type")
+                                   : Viscosity::whyAbsent(viscosity, dicts_.lattice, fluid.nu(), timeStep_->largest()));
+    effects_.add("boundary labelling", !fluid_->labeller().needsAllWalls(), entryOf(dicts_.schemes, "boundarySchemes", "labelling"));
+    effects_.add("collision", fluid.collision() != nullptr, entryOf(dicts_.schemes, "collisionSchemes", "type"));
+    effects_.add("shifting", fluid.shifting() != nullptr, entryOf(dicts_.schemes, "shiftingSchemes", "type"));
+}
+
+void Scene::listBodyEffects()
+{
+    bool const on = solids_ != nullptr;
+    auto const nameOf = [](auto const& body) { return body->name(); };
+    effects_.add("rigid bodies", on,
+                 on ? "constant/rigidBodyProperties names " + listed(bodies_, nameOf) : "no constant/rigidBodyProperties");
+    if (!on) return;
+    bool const contact = solids_->contacts() != nullptr;
+    effects_.add("contact", contact, contact ? "constant/contactProperties is there, and bodies" : "no constant/contactProperties");
+    for (FluidBodyCoupling const& coupling : solids_->couplings())
+        effects_.add("coupling of " + coupling.body().name(), true, std::string("fluid and body are there; ") + coupling.modeName());
+}
+
+} // namespace mpsDem

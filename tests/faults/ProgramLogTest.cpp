@@ -1,0 +1,148 @@
+#include <filesystem>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "io/CaseLock.h"
+#include "support/ProgramRun.h"
+
+/// What the programs tell, where they tell it, and what they leave behind.
+
+namespace {
+
+using namespace mpsDem;
+using namespace mpsDem::test;
+
+int countOf(std::string const& text, std::string const& piece)
+{
+    int count = 0;
+    for (std::size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at + piece.size())) ++count;
+    return count;
+}
+
+/// Steps 0 to 20 of the wedge with checkpoints at 0.02 and 0.04 s.
+void runShortly(WedgeCase const& testCase)
+{
+    testCase.replace("system/controlDict", "writeInterval 0.05", "writeInterval 0.02");
+    testCase.setEndTime("0.04");
+    testCase.makeParticles();
+    ASSERT_EQ(testCase.run().exitCode, 0);
+}
+
+TEST(ProgramLog, AWarningStandsInTheLogAndOnStandardErrorOnce)
+{
+    WedgeCase const testCase;
+    runShortly(testCase);
+    std::string const damaged = "checkpoint/" + std::to_string(testCase.checkpoints().back());
+    std::filesystem::resize_file(testCase.root() / damaged / "state.0", 100);
+    testCase.setEndTime("0.05");
+    ProgramResult const result = testCase.run(); // standard output and standard error are two files
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    for (std::string const& text : {result.output, result.error})
+    {
+        EXPECT_EQ(countOf(text, "--> FOAM Warning : "), 1) << text;
+        EXPECT_NE(text.find(damaged + " is not used"), std::string::npos) << text;
+    }
+    std::string const both = (testCase.root() / "both").string();
+    std::string const command = std::string(MPSDEM_BIN_DIR) + "/mpsDemFoam -dry-run -case " + testCase.root().string();
+    std::filesystem::resize_file(testCase.root() / ("checkpoint/" + std::to_string(testCase.checkpoints().back())) / "state.0", 100);
+    ASSERT_EQ(std::system((command + " > " + both + " 2>&1").c_str()), 0);
+    EXPECT_EQ(countOf(contentOf(both), "checkpoint/" + std::to_string(testCase.checkpoints().back()) + " is not used"), 1);
+}
+
+TEST(ProgramLog, ADryRunTakesNoLockAndWritesNothing)
+{
+    WedgeCase const testCase;
+    runShortly(testCase);
+    testCase.append("system/controlDict", "startFrom startTime;\n"); // a run would begin its series of files anew
+    auto const before = testCase.results();
+    {
+        CaseLock const lock(testCase.root());
+        ProgramResult const result = testCase.run({"-dry-run"});
+        EXPECT_EQ(result.exitCode, 0) << result.error;
+        EXPECT_EQ(testCase.run().exitCode, 4);
+    }
+    EXPECT_TRUE(testCase.results() == before);
+    EXPECT_FALSE(std::filesystem::exists(testCase.root() / ".mpsDem.lock"));
+}
+
+TEST(ProgramLog, NoRunLeavesItsLock)
+{
+    WedgeCase const testCase;
+    testCase.makeParticles();
+    EXPECT_FALSE(std::filesystem::exists(testCase.root() / ".mpsDem.lock"));
+    testCase.append("system/controlDict", "unknownKey 1;\n");
+    EXPECT_EQ(testCase.run().exitCode, 2);
+    EXPECT_FALSE(std::filesystem::exists(testCase.root() / ".mpsDem.lock"));
+}
+
+TEST(ProgramLog, AChangeOfTheInputIsToldAtARestart)
+{
+    std::string const told = "Changed since this state was saved: ";
+    WedgeCase const testCase;
+    runShortly(testCase);
+    std::string const manifest = contentOf(testCase.root() / "checkpoint" / std::to_string(testCase.checkpoints().back()) / "MANIFEST");
+    EXPECT_NE(manifest.find("inputHash system/controlDict "), std::string::npos) << manifest;
+    EXPECT_EQ(testCase.run({"-dry-run"}).output.find(told), std::string::npos);
+
+    testCase.append("constant/contactProperties", "// only a comment\n");
+    testCase.setEndTime("0.0400000001"); // ten digits: more than the printed form has
+    testCase.replace("constant/contactProperties", "0.01", "0.02");
+    ProgramResult const changed = testCase.run({"-dry-run"});
+    EXPECT_EQ(changed.exitCode, 0) << changed.error;
+    EXPECT_NE(changed.output.find(told + "system/controlDict, constant/contactProperties\n"), std::string::npos) << changed.output;
+
+    testCase.append("system/controlDict", "startFrom startTime;\n");
+    testCase.append("system/setParticlesDict", "lattice { seed 2; }\n");
+    std::string const initial = testCase.run({"-dry-run"}).output;
+    EXPECT_NE(initial.find(told + "system/setParticlesDict\n    run setParticles again"), std::string::npos) << initial;
+}
+
+TEST(ProgramLog, EachEffectIsListedWithItsReason)
+{
+    WedgeCase const testCase;
+    testCase.append("system/mpsSchemes", "collisionSchemes { type none; }\n");
+    testCase.makeParticles();
+    std::istringstream log(testCase.run({"-dry-run"}).output);
+    std::string line;
+    while (std::getline(log, line) && line != "Effects of this scene")
+    {}
+    int lines = 0;
+    for (; std::getline(log, line) && !line.empty(); ++lines) EXPECT_GE(line.size(), 30 + 5 + 5) << line;
+    EXPECT_GE(lines, 9);
+    std::string const text = log.str();
+    for (char const* piece :
+         {"constant/rigidBodyProperties names slide", "off  mpsSchemes/collisionSchemes: type none", "default of schemeSet standard",
+          "controlDict/functions names slide, gauges, energy, momentum", "constant/transportProperties gives rho 1000 kg/m3"})
+        EXPECT_NE(text.find(piece), std::string::npos) << piece << '\n' << text;
+}
+
+TEST(ProgramLog, FunctionObjectsTellWhatTheyWriteUnlessToldNotTo)
+{
+    WedgeCase const testCase;
+    testCase.replace("system/controlDict", "type energyBudget;", "type energyBudget; log no;");
+    testCase.setEndTime("0.02");
+    testCase.makeParticles();
+    std::string const log = testCase.run().output;
+    EXPECT_EQ(countOf(log, "interfaceHeight gauges write: eta0 = "), 2) << log; // at 0.01 and 0.02 s
+    EXPECT_EQ(countOf(log, "sixDoFRigidBodyState slide write: slide "), 4);
+    EXPECT_EQ(countOf(log, "energyBudget"), 0);
+    EXPECT_LT(log.rfind("\nTime = 0.02\n"), log.rfind("interfaceHeight gauges write: ")) << "it stands behind its step";
+}
+
+TEST(ProgramLog, AnEditedControlDictIsLeftAloneWhereTheRunIsNotModifiable)
+{
+    WedgeCase const testCase;
+    testCase.append("system/controlDict", "runTimeModifiable no;\n");
+    testCase.makeParticles();
+    RunningProgram program("mpsDemFoam", testCase.root());
+    ASSERT_TRUE(program.waitFor("\nTime = ", 5));
+    testCase.setEndTime("0.06");
+    testCase.append("system/controlDict", "stopAt writeNow;\n");
+    ProgramResult const result = program.wait();
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    EXPECT_NE(result.output.find("\nTime = 0.3\n"), std::string::npos);
+    EXPECT_EQ(result.output.find("Re-read"), std::string::npos);
+}
+
+} // namespace
