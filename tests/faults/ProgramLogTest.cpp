@@ -44,9 +44,9 @@ TEST(ProgramLog, AWarningStandsInTheLogAndOnStandardErrorOnce)
         EXPECT_NE(text.find(damaged + " is not used"), std::string::npos) << text;
     }
     std::string const both = (testCase.root() / "both").string();
-    std::string const command = std::string(MPSDEM_BIN_DIR) + "/mpsDemFoam -dry-run -case " + testCase.root().string();
+    std::string const command = "'" + std::string(MPSDEM_BIN_DIR) + "/mpsDemFoam' -dry-run -case '" + testCase.root().string() + "'";
     std::filesystem::resize_file(testCase.root() / ("checkpoint/" + std::to_string(testCase.checkpoints().back())) / "state.0", 100);
-    ASSERT_EQ(std::system((command + " > " + both + " 2>&1").c_str()), 0);
+    ASSERT_EQ(std::system((command + " > '" + both + "' 2>&1").c_str()), 0);
     EXPECT_EQ(countOf(contentOf(both), "checkpoint/" + std::to_string(testCase.checkpoints().back()) + " is not used"), 1);
 }
 
