@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <type_traits>
 
 #include "core/Dictionary.h"
 #include "core/dictionary/Missing.h"
@@ -21,57 +22,28 @@ Entry const& plainEntry(Dictionary::Node& node, std::string const& key, std::str
     return *entry;
 }
 
-/// How a value of the type is written.
-template <class T>
-struct Form;
-template <>
-struct Form<bool>
-{
-    static constexpr char const* text = "<yes or no>;";
-};
-template <>
-struct Form<int>
-{
-    static constexpr char const* text = "<integer>;";
-};
-template <>
-struct Form<std::int64_t> : Form<int>
-{};
-template <>
-struct Form<Real>
-{
-    static constexpr char const* text = "<number>;";
-};
-template <>
-struct Form<std::string>
-{
-    static constexpr char const* text = "<word>;";
-};
-template <>
-struct Form<Vector>
-{
-    static constexpr char const* text = "(x y z);";
-};
-template <>
-struct Form<Tensor>
-{
-    static constexpr char const* text = "(xx xy xz yx yy yz zx zy zz);";
-};
-template <class T>
-struct Form<std::vector<T>>
-{
-    static constexpr char const* text = "( ... );";
-};
-
 template <class T>
 inline constexpr bool isList = false;
 template <class T>
 inline constexpr bool isList<std::vector<T>> = true;
 
+/// How a value of the type is written.
+template <class T>
+constexpr char const* formOf()
+{
+    if constexpr (isList<T>) return "( ... );";
+    if constexpr (std::is_same_v<T, bool>) return "<yes or no>;";
+    if constexpr (std::is_integral_v<T>) return "<integer>;";
+    if constexpr (std::is_same_v<T, Real>) return "<number>;";
+    if constexpr (std::is_same_v<T, std::string>) return "<word>;";
+    if constexpr (std::is_same_v<T, Vector>) return "(x y z);";
+    return "(xx xy xz yx yy yz zx zy zz);";
+}
+
 template <class T>
 T valueOf(Dictionary::Node& node, std::string const& key)
 {
-    Entry const& entry = plainEntry(node, key, Form<T>::text);
+    Entry const& entry = plainEntry(node, key, formOf<T>());
     ValueReader reader(entry, node.where(entry));
     if constexpr (!isList<T>) reader.skipUniform();
     T value;
@@ -83,7 +55,7 @@ T valueOf(Dictionary::Node& node, std::string const& key)
 template <class T>
 T dimensioned(Dictionary::Node& node, std::string const& key, std::vector<int> const& dimensions)
 {
-    std::string const form = std::string(Form<T>::text) + "   dimensions may stand before it: " + dictionary::dimensionsText(dimensions);
+    std::string const form = std::string(formOf<T>()) + "   dimensions may stand before it: " + dictionary::dimensionsText(dimensions);
     Entry const& entry = plainEntry(node, key, form);
     ValueReader reader(entry, node.where(entry));
     reader.takeDimensions(dimensions);

@@ -68,10 +68,10 @@ int wordDistance(std::string const& a, std::string const& b)
     return begins ? std::min(edits, 2) : edits;
 }
 
-std::string shortNumber(double value)
+std::string shortNumber(double value, int digits)
 {
     std::array<char, 32> buffer{};
-    auto const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 6).ptr;
+    auto const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits).ptr;
     return {buffer.data(), end};
 }
 

@@ -57,8 +57,8 @@ inline void expect(bool condition, char const* what)
     if (!condition) throw std::logic_error(what);
 }
 
-/// A number for a message: up to six significant digits, no more than it needs ("0.02", "1e-06").
-std::string shortNumber(double value);
+/// A number for a message: up to so many significant digits, no more than it needs ("0.02", "1e-06").
+std::string shortNumber(double value, int digits = 6);
 
 /// The word of `known` nearest to `word`, or empty where none is near (wordDistance above 1 + length/3).
 template <class Range>

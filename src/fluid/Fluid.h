@@ -39,6 +39,7 @@ public:
     [[nodiscard]] ReferenceConstants const& laplacianConstants() const { return laplacianConstants_; }
     [[nodiscard]] FreeSurface const& freeSurface() const { return *freeSurface_; }
     [[nodiscard]] Viscosity const* viscosity() const { return viscosity_.get(); }
+    [[nodiscard]] VelocityDamping const* velocityDamping() const { return velocityDamping_.get(); }
     [[nodiscard]] Collision const* collision() const { return collision_.get(); }
     [[nodiscard]] Shifting* shifting() const { return shifting_.get(); }
     [[nodiscard]] NegativePressure negativePressure() const { return negativePressure_; }

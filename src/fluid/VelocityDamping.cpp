@@ -4,14 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/LU>
+#include "particles/GradientSums.h"
 
 namespace mpsDem {
 
 namespace {
 
-/// Determinant of C^-1 below which a particle has too few neighbours for a gradient of its velocity.
-constexpr Real smallestDeterminant = 0.1;
 /// Largest share of a deviation that one step takes away.
 constexpr Real largestShare = 0.5;
 
@@ -29,29 +27,28 @@ std::unique_ptr<VelocityDamping> VelocityDamping::read(Dictionary const& velocit
 template <int d>
 void VelocityDamping::findGradients(ParticleSet const& particles, NeighbourList const& neighbours)
 {
-    using Square = Eigen::Matrix<Real, d, d>;
-    using Short = Eigen::Matrix<Real, d, 1>;
     int const* const index = neighbours.index();
     Real const* const w = neighbours.gradientWeight();
     Real const factor = d / n0_;
     for (int i : particles.fluid())
     {
         Vector const ri = particles.r[i], ui = particles.u[i];
-        Square moment = Square::Zero(), slope = Square::Zero();
+        MomentSum<d> moment;
+        Tensor slope = Tensor::Zero();
         for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
         {
             int const j = index[k];
             if (!particles.isFluid(j)) continue;
-            Short const r = (particles.r[j] - ri).template head<d>();
-            Short const q = w[k] / (r.squaredNorm() + tiny) * r;
-            moment.noalias() += r * q.transpose();
-            slope.noalias() += (particles.u[j] - ui).template head<d>() * q.transpose();
+            Vector const rij = particles.r[j] - ri;
+            Real const q = w[k] / (rij.squaredNorm() + tiny);
+            moment.add(rij, q);
+            slope.noalias() += q * (particles.u[j] - ui) * rij.transpose();
         }
-        moment *= factor;
-        defined_[i] = moment.determinant() > smallestDeterminant;
+        typename MomentSum<d>::Square c;
+        defined_[i] = moment.invert(factor, c);
         if (!defined_[i]) continue;
         gradient_[i].setZero();
-        gradient_[i].template topLeftCorner<d, d>() = factor * slope * moment.inverse();
+        gradient_[i].template leftCols<d>() = factor * slope.template leftCols<d>() * c;
     }
 }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
+#include "core/Errors.h"
 #include "fluid/VelocitySystem.h"
 
 namespace mpsDem {
@@ -226,9 +226,7 @@ std::string Viscosity::whyAbsent(Dictionary const& dict, Lattice const& lattice,
     if (type == "none") return "mpsSchemes/viscositySchemes: type none";
     Real const diffusion = nu * largestDt / (lattice.spacing * lattice.spacing);
     if (type != "auto" || !slip || diffusion > negligible) return "";
-    std::ostringstream why;
-    why << "mpsSchemes/viscositySchemes: type auto, walls slip and nu dt/dx^2 <= " << diffusion << " has no effect";
-    return why.str();
+    return "mpsSchemes/viscositySchemes: type auto, walls slip and nu dt/dx^2 <= " + shortNumber(diffusion) + " has no effect";
 }
 
 std::unique_ptr<Viscosity> Viscosity::read(Dictionary const& dict, Lattice const& lattice, Real nu, Real largestDt)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bodies/Entries.h"
 #include "bodies/RigidBodyReader.h"
@@ -77,20 +78,31 @@ BodyShape readBodyShape(std::string const& name, Dictionary const& body, Lattice
                                               : MassProperties::fromPolygon(result.outline, lattice.thickness, 1);
         return 0;
     });
-    Vector low = result.outline.points().front(), high = low;
-    for (Vector const& q : result.outline.points())
-    {
-        low = low.cwiseMin(q);
-        high = high.cwiseMax(q);
-    }
-    Real const least = std::min(high.x() - low.x(), high.y() - low.y());
-    require(least >= lattice.spacing, result.where,
+    Real const least = leastWidth(result.outline);
+    require(least >= (1 - 1e-9) * lattice.spacing, result.where,
             "body \"" + name + "\" is " + shortNumber(least) + " m wide, less than the spacing of " + shortNumber(lattice.spacing) + " m",
             "a smaller spacing in constant/particleProperties");
     return result;
 }
 
 } // namespace
+
+Real leastWidth(Polyline const& outline)
+{
+    Real least = std::numeric_limits<Real>::infinity();
+    for (auto const& side : outline.segments())
+    {
+        Real low = 0, high = 0;
+        for (Vector const& corner : outline.points())
+        {
+            Real const off = side.normal.dot(corner - side.a);
+            low = std::min(low, off);
+            high = std::max(high, off);
+        }
+        least = std::min(least, high - low);
+    }
+    return least;
+}
 
 std::vector<BodyShape> readBodyShapes(Dictionary const& rigidBodyProperties, Lattice const& lattice)
 {

@@ -45,4 +45,7 @@ std::vector<std::unique_ptr<RigidBody>> readBodies(Dictionary const& rigidBodyPr
 /// The outline in body axes from the centre of mass, R^T (x - centreOfMass). It does not depend on where the body is by now.
 Polyline outlineInBodyAxes(BodyShape const& shape, RigidBody const& body);
 
+/// Least width of an outline square to one of its sides [m].
+Real leastWidth(Polyline const& outline);
+
 } // namespace mpsDem

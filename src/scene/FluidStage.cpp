@@ -205,19 +205,16 @@ void FluidStage::checkOutside(Real time) const
 {
     std::int64_t const outside = countOver(particles_.fluid(), [&](int i) { return hasEscaped(i); });
     if (outside == 0) return;
-    std::ostringstream text;
-    text << "time " << time << " s: " << outside << " particles are outside of the domain";
-    warn(text.str(), "outside", 10);
+    warn("time " + shortNumber(time) + " s: " + std::to_string(outside) + " particles are outside of the domain", "outside", 10);
     requireFewLost(escaped() + outside);
 }
 
 void FluidStage::requireFewLost(std::int64_t lost) const
 {
     if (static_cast<Real>(lost) <= largestLoss * static_cast<Real>(initialFluid_)) return;
-    std::ostringstream help;
-    help << "a wall has a gap, or the run is unstable (a smaller maxCo or deltaT may help); allowed are " << largestLoss * 100 << " %";
     throw CaseError(ExitCode::Solver, std::to_string(lost) + " of " + std::to_string(initialFluid_) + " fluid particles were lost",
-                    help.str());
+                    "a wall has a gap, or the run is unstable (a smaller maxCo or deltaT may help); allowed are " +
+                        shortNumber(largestLoss * 100) + " %");
 }
 
 void FluidStage::save(State& state) const

@@ -9,6 +9,7 @@
 
 #include "core/Log.h"
 #include "particles/CellGrid.h"
+#include "scene/BodyReader.h"
 #include "scene/SizeEstimate.h"
 
 namespace mpsDem {
@@ -135,24 +136,6 @@ void reportOutlook(std::ostream& out, SceneDefinition const& definition, Initial
     bool const slides = outlook.drive > outlook.resistance;
     line(out, "outlook") << (slides ? "slides" : "stays: friction holds it") << "\n";
     if (!slides && outlook.slope > degree) warn("body \"" + body.name() + "\" cannot slide on \"" + wall + "\": friction holds it");
-}
-
-/// Least width of an outline square to one of its sides [m].
-Real leastWidth(Polyline const& outline)
-{
-    Real least = std::numeric_limits<Real>::infinity();
-    for (auto const& side : outline.segments())
-    {
-        Real low = 0, high = 0;
-        for (Vector const& corner : outline.points())
-        {
-            Real const off = side.normal.dot(corner - side.a);
-            low = std::min(low, off);
-            high = std::max(high, off);
-        }
-        least = std::min(least, high - low);
-    }
-    return least;
 }
 
 /// Below two spacings one row of wall particles stands for both sides: 20 to 40 % of the lift in still water are lost.

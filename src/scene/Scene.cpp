@@ -55,7 +55,7 @@ Scene::Scene(CaseFolder const& caseFolder, Options const& options)
     readStart(start);
     if (dicts_.transport) buildFluid();
     if (!bodies_.empty()) buildSolids();
-    if (fluid_ && fluid_->periodic()) fluid_->requireWallsInside(dicts_.schemes ? dicts_.schemes->where("cyclic") : Location{});
+    if (fluid_ && fluid_->periodic()) fluid_->requireWallsInside(dicts_.schemes->where("cyclic"));
     buildGuard();
     output_ = std::make_unique<Output>(case_, particles_, bodies_, outlines_);
 

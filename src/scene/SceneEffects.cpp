@@ -1,5 +1,4 @@
-#include <sstream>
-
+#include "core/Errors.h"
 #include "core/Log.h"
 #include "scene/Scene.h"
 
@@ -14,13 +13,6 @@ std::string entryOf(std::optional<Dictionary> const& schemes, std::string const&
     Dictionary const dict = all.subDictOrEmpty(group);
     if (dict.found(key)) return "mpsSchemes/" + group + ": " + key + " " + dict.entryText(key);
     return std::string("default of schemeSet ") + (readSchemeSet(all) == SchemeSet::Paper ? "paper" : "standard");
-}
-
-std::string withNumber(std::string const& text, Real value, std::string const& unit)
-{
-    std::ostringstream out;
-    out << text << value << unit;
-    return out.str();
 }
 
 /// "a, b, c".
@@ -69,16 +61,17 @@ void Scene::listFluidEffects()
 {
     bool const on = fluid_ != nullptr;
     effects_.add("fluid", on,
-                 on ? withNumber("constant/transportProperties gives rho ", fluid_->fluid().density(), " kg/m3")
+                 on ? "constant/transportProperties gives rho " + shortNumber(fluid_->fluid().density()) + " kg/m3"
                     : "no constant/transportProperties");
     if (!on) return;
     Fluid const& fluid = fluid_->fluid();
     Dictionary const viscosity = dicts_.schemes.value_or(Dictionary()).subDictOrEmpty("viscositySchemes");
     effects_.add("viscosity", fluid.viscosity() != nullptr,
-                 fluid.viscosity() ? withNumber(std::string(fluid.viscosity()->name()) + " for nu ", fluid.nu(), " m2/s, ") +
+                 fluid.viscosity() ? std::string(fluid.viscosity()->name()) + " for nu " + shortNumber(fluid.nu()) + " m2/s, " +
                                          entryOf(dicts_.schemes, "viscositySchemes", "type")
                                    : Viscosity::whyAbsent(viscosity, dicts_.lattice, fluid.nu(), timeStep_->largest()));
     effects_.add("boundary labelling", !fluid_->labeller().needsAllWalls(), entryOf(dicts_.schemes, "boundarySchemes", "labelling"));
+    effects_.add("velocity damping", fluid.velocityDamping() != nullptr, entryOf(dicts_.schemes, "velocityDamping", "type"));
     effects_.add("collision", fluid.collision() != nullptr, entryOf(dicts_.schemes, "collisionSchemes", "type"));
     effects_.add("shifting", fluid.shifting() != nullptr, entryOf(dicts_.schemes, "shiftingSchemes", "type"));
 }

@@ -15,9 +15,7 @@ void Scene::logStep(Step const& step, double executionTime, double clockTime) co
         TimeStep::Courant const courant = timeStep_->courant(particles_, step.dt);
         os << "Courant Number mean: " << courant.mean << " max: " << courant.max << '\n';
         if (courant.max > 1 && !timeStep_->adjustable())
-            warn("time " + time_->format(step.time) +
-                     " s: Courant number above 1 with a fixed step: particles may pass through walls; a smaller deltaT, or adjustTimeStep "
-                     "yes",
+            warn("time " + time_->format(step.time) + " s: Courant number above 1, particles may pass through walls: take a smaller deltaT",
                  "courant", 3);
         if (fluid_->fluid().viscosity())
         {

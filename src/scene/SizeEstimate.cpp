@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "boundaries/BoundaryRows.h"
 #include "core/Errors.h"
@@ -18,21 +17,9 @@ constexpr Real toSet = 400;       ///< Bytes a particle: 300 measured from 190 0
 constexpr Real toRun = 1600;      ///< Bytes a particle, measured from 50 000 to 190 000 with the standard schemes.
 constexpr Real mostNumbers = 2e9; ///< Particles are numbered by 32 bits.
 
-std::string inGigabytes(Real bytes)
-{
-    std::ostringstream out;
-    out.precision(3);
-    out << bytes / 1e9 << " GB";
-    return out.str();
-}
+std::string rounded(Real number) { return shortNumber(number, 3); }
 
-std::string rounded(Real number)
-{
-    std::ostringstream out;
-    out.precision(3);
-    out << number;
-    return out.str();
-}
+std::string inGigabytes(Real bytes) { return rounded(bytes / 1e9) + " GB"; }
 
 Real lengthOf(Polyline const& line)
 {

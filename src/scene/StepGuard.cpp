@@ -21,13 +21,7 @@ constexpr Real clearly = 0.75;
 constexpr int linesInLog = 10;
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
-std::string percent(Real share)
-{
-    std::ostringstream text;
-    text.precision(3);
-    text << 100 * share << " %";
-    return text.str();
-}
+std::string percent(Real share) { return shortNumber(100 * share, 3) + " %"; }
 
 } // namespace
 

@@ -8,7 +8,7 @@
 #include <execinfo.h>
 
 #include "mpsDemFoam/StopRequest.h"
-#include "support/RunCase.h"
+#include "support/Channel.h"
 
 namespace {
 
@@ -125,13 +125,7 @@ TEST(Allocation, isAbsentInAViscousPeriodicFlow)
 {
     if (!canCount) GTEST_SKIP() << "malloc cannot be watched here";
     RunCase run(0.05);
-    run.gravity(Vector(1.2, 0, 0));
-    run.write("constant/transportProperties", "nu 0.1; rho 1000;");
-    run.write("system/setParticlesDict", "geometry { below { type searchablePlate; origin (0 0 0); span (0.5 0 0); }\n"
-                                         " above { type searchablePlate; origin (0.5 1 0); span (-0.5 0 0); } }\n"
-                                         "regions ( boxToParticle { box (0 0 0) (0.5 1 0); } );\nhydrostatic { active no; }");
-    run.write("system/mpsSchemes", "freeSurfaceSchemes { type none; } cyclic { min (0 0 0); max (0.5 0 0); }\n"
-                                   "viscositySchemes { type implicit; walls noSlip; }");
+    writeChannel(run, "type implicit; ");
     run.fixedSteps(6, 2.5e-3).make();
     expectNoAllocation("periodic channel, implicit viscosity", run, 500, 120);
 }

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "support/RunCase.h"
+#include "support/Channel.h"
 
 namespace mpsDem::test {
 
@@ -13,13 +13,7 @@ namespace {
 Real profileError(Real spacing)
 {
     RunCase run(spacing);
-    run.gravity(Vector(1.2, 0, 0));
-    run.write("constant/transportProperties", "nu 0.1; rho 1000;");
-    run.write("system/setParticlesDict", "geometry { below { type searchablePlate; origin (0 0 0); span (0.5 0 0); }\n"
-                                         " above { type searchablePlate; origin (0.5 1 0); span (-0.5 0 0); } }\n"
-                                         "regions ( boxToParticle { box (0 0 0) (0.5 1 0); } );\nhydrostatic { active no; }");
-    run.write("system/mpsSchemes", "freeSurfaceSchemes { type none; } viscositySchemes { walls noSlip; }\n"
-                                   "cyclic { min (0 0 0); max (0.5 0 0); }");
+    writeChannel(run);
     run.fixedSteps(10, 2.5e-3).make();
     Series error;
     run.run([&](Scene const& scene, Step const& step) {
