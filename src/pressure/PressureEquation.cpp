@@ -198,23 +198,19 @@ SolveReport PressureEquation::response(ParticleSet const& particles, NeighbourLi
 {
     right_.assign(particle_.size(), 0);
     solution_.assign(particle_.size(), 0);
-    Real const factor = source_.divergenceShare(step) * lattice_.dimensions / gradientConstants_.n0;
-    Real const* const w = neighbours.gradientWeight();
+    Real const factor = -density_ * source_.divergenceShare(step);
     int const boundary = particles.boundary().last;
-    auto const of = [&](int j) { return j < boundary ? acceleration[j] : Vector(Vector::Zero()); };
+    Vector const none = Vector::Zero();
+    auto const of = [&](int j) -> Vector const& { return j < boundary ? acceleration[j] : none; };
+    auto const besideBoundary = [&](int i) {
+        return std::any_of(neighbours.index() + neighbours.first(i), neighbours.index() + neighbours.last(i),
+                           [&](int j) { return j < boundary; });
+    };
     for (std::size_t row = 0; row < particle_.size(); ++row)
     {
         int const i = particle_[row];
-        if (!isUnknown(particles, i)) continue;
-        Real sum = 0; // div a, eq 5
-        for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
-        {
-            int const j = neighbours.index()[k];
-            if (j >= boundary && i >= boundary) continue;
-            Vector const rij = particles.r[j] - particles.r[i];
-            sum += w[k] * (of(j) - of(i)).dot(rij) / (rij.squaredNorm() + tiny);
-        }
-        right_[row] = -density_ * factor * sum;
+        if (!isUnknown(particles, i) || (i >= boundary && !besideBoundary(i))) continue;
+        right_[row] = factor * source_.divergence(particles, neighbours, gradientConstants_, of, i);
     }
     pressure.resize(particles.r.size());
     return solveRows(particles, pressure, std::max(controls_.tolerance, responseTolerance));

@@ -4,11 +4,15 @@
 
 namespace mpsDem {
 
-PressureSource::PressureSource(Dictionary const& dict, SchemeSet set, Real density) : density_(density)
+PressureSource::PressureSource(Dictionary const& dict, SchemeSet set, Lattice const& lattice, Real gradientRadius, Real density)
+    : density_(density)
 {
     bool const paper = set == SchemeSet::Paper;
     std::string const type = dict.getWordOr("type", "mixed", {"mixed", "density", "divergence"}, "source schemes");
     type_ = type == "density" ? Type::Density : type == "divergence" ? Type::Divergence : Type::Mixed;
+    corrected_ = dict.getWordOr("divergence", "plain", {"plain", "corrected"}, "forms of eq 5") == "corrected";
+    if (dict.getWordOr("density", "number", {"number", "smooth"}, "measures of density") == "smooth")
+        smooth_.emplace(lattice, gradientRadius);
     bool const fixedGamma = dict.found("gamma") && !dict.found("relaxationTime");
     relaxationTime_ = dict.getInRangeOr("relaxationTime", paper || fixedGamma ? 0 : 0.05, 0, 10);
     gamma_ = dict.getInRangeOr("gamma", 0.01, 0, 1);
@@ -25,19 +29,22 @@ Real PressureSource::gamma(Step const& step) const
     return ramp * full;
 }
 
+Real PressureSource::densityError(ParticleSet const& particles, NeighbourList const& neighbours, int i) const
+{
+    bool const smooth = smooth_ && particles.surface[i] != SurfaceLabel::NearSurface;
+    Real const e = (smooth ? (*smooth_)(particles, neighbours, i) : particles.n[i]) - 1;
+    return clip_ > 0 ? std::clamp(e, -clip_, clip_) : e;
+}
+
 Real PressureSource::evaluate(ParticleSet const& particles, NeighbourList const& neighbours, ReferenceConstants const& constants,
                               Step const& step, int i) const
 {
     Real const dt = step.dt, rho = density_;
     Real const g = gamma(step);
     Real source = 0;
-    if (type_ != Type::Density) source += (1 - g) * rho / dt * divergence(particles, neighbours, constants, particles.uStar, i);
-    if (type_ != Type::Divergence && particles.isFluid(i))
-    {
-        Real e = particles.n[i] - 1;
-        if (clip_ > 0) e = std::clamp(e, -clip_, clip_);
-        source -= g * rho / (dt * dt) * e;
-    }
+    auto const uStar = [&](int j) -> Vector const& { return particles.uStar[j]; };
+    if (type_ != Type::Density) source += (1 - g) * rho / dt * divergence(particles, neighbours, constants, uStar, i);
+    if (type_ != Type::Divergence && particles.isFluid(i)) source -= g * rho / (dt * dt) * densityError(particles, neighbours, i);
     return source;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "core/Step.h"
+#include "particles/CorrectedDivergence.h"
 #include "particles/NumberDensity.h"
 #include "particles/SchemeSet.h"
 
@@ -18,17 +21,30 @@ namespace mpsDem {
 /// | gamma | gamma where relaxationTime is 0 | - | 0.01 | 0..1 |
 /// | maxGamma | upper bound of dt/tau | - | 0.1 | 0..1 |
 /// | densityClip | bound of abs(e); 0: none. A clip of 0.02 leaves foam above the submarine wedge that never closes | - | 0 | 0..1 |
+/// | divergence | plain (eq 5), corrected (CorrectedDivergence.h) for fluid particles | - | plain | - |
+/// | density | number (e as above), smooth (SmoothDensity) for fluid particles that have no surface beside them | - | number | - |
 /// | rampSteps | gamma grows from 0 over the first steps of a run from rest | - | 20, 0 | 0..1000 |
 class PressureSource
 {
 public:
-    PressureSource(Dictionary const& sourceSchemes, SchemeSet set, Real density);
+    /// @param gradientRadius  [m]. @param density  rho [kg/m3].
+    PressureSource(Dictionary const& sourceSchemes, SchemeSet set, Lattice const& lattice, Real gradientRadius, Real density);
 
     /// gamma of this step [-].
     [[nodiscard]] Real gamma(Step const& step) const;
 
     /// Share of rho div u*/dt in the right side: 1 - gamma, 0 where the term is off [-].
     [[nodiscard]] Real divergenceShare(Step const& step) const { return type_ == Type::Density ? 0 : 1 - gamma(step); }
+
+    /// Divergence at particle i as the right side takes it, of a field phi(j) that need not be stored. [unit of phi per m]
+    template <class Phi>
+    [[nodiscard]] Real divergence(ParticleSet const& particles, NeighbourList const& neighbours, ReferenceConstants const& constants,
+                                  Phi const& phi, int i) const
+    {
+        if (!corrected_ || !particles.isFluid(i)) return mpsDem::divergence(particles, neighbours, constants, phi, i);
+        return particles.lattice().dimensions == 2 ? correctedDivergence<2>(particles, neighbours, constants, phi, i)
+                                                   : correctedDivergence<3>(particles, neighbours, constants, phi, i);
+    }
 
     /// Right side of eq 8 for particle i [Pa/m2].
     [[nodiscard]] Real evaluate(ParticleSet const& particles, NeighbourList const& neighbours, ReferenceConstants const& constants,
@@ -42,7 +58,12 @@ private:
         Divergence
     };
 
+    /// e of a fluid particle [-].
+    [[nodiscard]] Real densityError(ParticleSet const& particles, NeighbourList const& neighbours, int i) const;
+
     Type type_;
+    bool corrected_;
+    std::optional<SmoothDensity> smooth_;
     Real density_, relaxationTime_, gamma_, maxGamma_, clip_;
     int rampSteps_;
 };

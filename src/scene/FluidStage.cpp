@@ -30,7 +30,8 @@ FluidStage::FluidStage(ParticleSet& particles, std::vector<Polyline> const& wall
       fluid_(setup.schemes, readSchemeSet(setup.schemes), particles.lattice(), radii_, setup.density, setup.nu, setup.gravity,
              setup.largestDt, ledger)
 {
-    PressureSource const source(setup.schemes.subDictOrEmpty("sourceSchemes"), readSchemeSet(setup.schemes), setup.density);
+    PressureSource const source(setup.schemes.subDictOrEmpty("sourceSchemes"), readSchemeSet(setup.schemes), particles.lattice(),
+                                radii_.gradient, setup.density);
     pressure_ =
         std::make_unique<PressureEquation>(setup.solution.subDictOrEmpty("solvers").subDictOrEmpty("p"), source,
                                            SurfacePressure::read(setup.schemes.subDictOrEmpty("freeSurfaceSchemes"),

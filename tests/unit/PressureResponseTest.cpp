@@ -45,7 +45,7 @@ Real mismatch(std::string const& source)
     neighbours.update(particles);
     ReferenceConstants const constants = referenceConstants(lattice, 0.21);
     numberDensity(particles, neighbours, constants);
-    PressureSource const right(Dictionary::fromText(source), SchemeSet::Standard, 1000);
+    PressureSource const right(Dictionary::fromText(source), SchemeSet::Standard, lattice, 0.21, 1000);
     PressureEquation equation(Dictionary::fromText("tolerance 1e-10;"), right, nullptr, lattice, 1000, constants, constants);
     Step const step{1000, 1, 1e-3, false};
     PeriodicImages const images;
@@ -75,6 +75,7 @@ TEST(PressureResponse, isTheChangeOfThePressureForEachSource)
 {
     expectBelow("response, gamma 0: mismatch", mismatch("type divergence;"), 0.01);
     expectBelow("response, gamma 0.3: mismatch", mismatch("type mixed; gamma 0.3; rampSteps 0;"), 0.01);
+    expectBelow("response, divergence corrected: mismatch", mismatch("divergence corrected; density smooth;"), 0.01);
     expectBelow("response, gamma dt/tau = 0.02: mismatch", mismatch("type mixed; relaxationTime 0.05;"), 0.01);
 }
 
