@@ -1,5 +1,7 @@
 // Hard cases of the slide: it hits its end stop, enters still water, leaves a cavity that closes, rides on a thin film of water.
 
+#include <cstdio>
+
 #include "stability/SlideCase.h"
 
 namespace mpsDem::test {
@@ -91,7 +93,7 @@ TEST(HardSlides, entersStillWater)
     EXPECT_TRUE(run.body().locked());
 }
 
-// Measured 0.040 in 1.5 s, along y; 0.038 at 0.02 m. The sum of pressure forces on the water falls short of those of the floor.
+// Measured 0.028 in 1.5 s, along y; 0.028 to 0.035 from five heights. The sum of pressure forces on the water falls short of those of the floor.
 TEST(HardSlides, DISABLED_entersStillWaterKeepingMomentum)
 {
     RunCase run(0.04);
@@ -112,24 +114,30 @@ TEST(HardSlides, cavityClosesBehind)
     expectBetween("cavity: water over the slide at the end, share", covered(run.scene()), 0.9, 1.1);
 }
 
-// Measured 0.011; from five heights of the slide 0.006 in the mean, 0.010 without redo of steps. 0.028 at 0.02 m, 0.001 with the symmetric
-// gradient: the corrected gradient adds energy to the jets.
+// Measured 0.003; from seven heights (top 1.36 to 1.44 m) 0.002 to 0.034, mean 0.009: the corrected gradient adds energy to a jet now and
+// then. With eq 4 for particles whose moment matrix has a determinant below 0.35 instead of 0.2: 0.002 to 0.006, mean 0.003; but the same
+// changes other runs as much the other way (dam break 0.009 with 0.4).
 TEST(HardSlides, DISABLED_cavityClosesBehindWithoutGainOfEnergy)
 {
-    RunCase run(0.04);
-    Watch const watch = runSlide(run, plunge, 1.5);
-    expectInBand("cavity", run, watch, {.height = 1.4});
+    Series rise;
+    for (Real const top : {1.36, 1.38, 1.39, 1.4, 1.41, 1.42, 1.44})
+    {
+        RunCase run(0.04);
+        SlideCase slide = plunge;
+        slide.top = top;
+        Watch const watch = runSlide(run, slide, 1.5);
+        rise.add(watch.rise / watch.start);
+        std::printf("    top at %g m: rise of energy %g\n", top, watch.rise / watch.start);
+    }
+    expectBelow("cavity, seven heights: mean rise of energy over that of the start", rise.mean(), 0.005);
 }
 
 // H4. Less than a spacing: no particle is in the gap, and the slide falls shut on the slope.
 TEST(HardSlides, closesAThinFilm) { rideOnFilm("dynamic", 0.024, true); }
 TEST(HardSlides, closesAThinFilmWithoutLabelling) { rideOnFilm("off", 0.024, true); }
 
-// H4. One row of particles is in the gap and is pressed out slowly.
-TEST(HardSlides, ridesOnAThickFilm) { rideOnFilm("dynamic", 0.06, false); }
+// H4. One row of particles is in the gap and is pressed out slowly. Momentum: 0.005 to 0.012 with seven gaps of 54 to 66 mm.
+TEST(HardSlides, ridesOnAThickFilm) { rideOnFilm("dynamic", 0.06, true); }
 TEST(HardSlides, ridesOnAThickFilmWithoutLabelling) { rideOnFilm("off", 0.06, false); }
-
-// Measured 0.05 in 0.8 s, 0.008 while the gap is wider than half a spacing: then 5 particles hold the slide up with up to 60 kPa.
-TEST(HardSlides, DISABLED_ridesOnAThickFilmKeepingMomentum) { rideOnFilm("dynamic", 0.06, true); }
 
 } // namespace mpsDem::test
