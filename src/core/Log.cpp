@@ -53,7 +53,7 @@ void warn(std::string const& text, std::string const& key, int limit)
     printWarning(info(), text, last);
     if (muted || sameDestination()) return;
     std::cout << std::flush;
-    if (::isatty(STDERR_FILENO) == 1) std::cerr << '\r'; // over a line of progress
+    if (::isatty(STDERR_FILENO) == 1) std::cerr << "\r\033[K"; // over a line of progress
     printWarning(std::cerr, text, last);
 }
 

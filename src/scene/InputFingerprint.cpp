@@ -99,9 +99,11 @@ void logChangedInput(CaseFolder const& caseFolder, std::string const& fingerprin
     std::string list;
     for (std::string const& file : changedSince(caseFolder, fingerprint)) list += (list.empty() ? "" : ", ") + file;
     if (list.empty()) return;
-    info() << "Changed since this state was saved: " << list << '\n';
-    if (!remedy.empty()) info() << "    " << remedy << '\n';
-    info() << std::endl;
+    std::string const text = "Changed since this state was saved: " + list;
+    if (!remedy.empty())
+        warn(text + "\n    " + remedy);
+    else
+        info() << text << '\n' << std::endl;
 }
 
 } // namespace mpsDem

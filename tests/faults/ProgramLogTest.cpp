@@ -113,7 +113,8 @@ TEST(ProgramLog, EachEffectIsListedWithItsReason)
     std::string const text = log.str();
     for (char const* piece :
          {"constant/rigidBodyProperties names slide", "off  mpsSchemes/collisionSchemes: type none", "default of schemeSet standard",
-          "controlDict/functions names slide, gauges, energy, momentum", "constant/transportProperties gives rho 1000 kg/m3"})
+          "controlDict/functions names slide, gauges, energy, momentum", "on   constant/g gives (0 -9.81 0) m/s2",
+          "off  default of schemeSet standard", "constant/transportProperties gives rho 1000 kg/m3"})
         EXPECT_NE(text.find(piece), std::string::npos) << piece << '\n' << text;
 }
 

@@ -59,6 +59,8 @@ TEST(PostGaugesTimeSelection, commandLineComesBeforeTheDictionary)
     EXPECT_EQ(chooseTimes(times, {}, {0.4, 0.1}, {}), (Indices{4, 1}));
     EXPECT_EQ(chooseTimes(times, {}, {}, {}).size(), times.size());
     EXPECT_THROW((void)chooseTimes({}, {}, {}, {}), CaseError);
+    EXPECT_EQ(chooseTimes(times, {}, {0.4, 9}, {}), (Indices{4})) << "a run that ends early still has pictures";
+    EXPECT_THROW((void)chooseTimes(times, {}, {9}, {}), CaseError);
 }
 
 } // namespace mpsDem::postGauges

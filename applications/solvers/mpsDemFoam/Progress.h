@@ -16,7 +16,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     double startTime_, endTime_;
-    bool terminal_;
+    bool terminal_, logBeside_; ///< Standard error is one; standard output too: then each report has a line of its own.
     Clock::time_point begin_, last_;
 };
 

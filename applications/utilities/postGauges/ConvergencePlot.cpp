@@ -78,7 +78,7 @@ Axes ConvergencePlot::axesFor(std::vector<StudyRun> const& runs, Location const&
         if (abscissa(run) > 0) x.push_back(abscissa(run));
         if (!(run.error > 0)) continue;
         y.push_back(run.error);
-        y.push_back(run.error + (run.spread > 0 ? run.spread : 0));
+        y.push_back(run.error + (run.spread > 0 ? 0.5 * run.spread : 0));
     }
     require(!x.empty() && !y.empty(), where, "no run has an error and a cost to draw");
     Axes axes = axes_;
@@ -93,10 +93,10 @@ ConvergencePlot::Rows ConvergencePlot::rowsOf(std::vector<StudyRun> runs, Axes c
     Rows rows;
     for (StudyRun const& run : runs)
     {
-        Real const spread = std::isfinite(run.spread) ? run.spread : 0;
-        Real const low = axes.logY ? std::max(run.error - spread, 0.1 * axes.yRange->first) : run.error - spread;
+        Real const half = std::isfinite(run.spread) ? 0.5 * run.spread : 0;
+        Real const low = axes.logY ? std::max(run.error - half, 0.1 * axes.yRange->first) : run.error - half;
         if (!run.failed)
-            addRow(rows.done, {abscissa(run), run.error, low, run.error + spread, run.spacing});
+            addRow(rows.done, {abscissa(run), run.error, low, run.error + half, run.spacing});
         else if (abscissa(run) > 0)
             addRow(rows.failed, {abscissa(run), run.error > 0 ? run.error : axes.yRange->second});
     }

@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "core/Log.h"
 #include "postGauges/Text.h"
 
 namespace mpsDem::postGauges {
@@ -103,7 +104,15 @@ std::vector<std::size_t> chooseTimes(std::vector<Real> const& times, TimeOptions
     if (options.latest) return {times.size() - 1};
     if (!options.ranges.empty()) return timesInRanges(times, options.ranges);
     std::vector<std::size_t> chosen;
-    for (Real const time : wanted) chosen.push_back(nearestTime(times, time, where));
+    for (Real const time : wanted)
+    {
+        bool const over = time > times.back() + tolerance(times, times.size() - 1);
+        if (over)
+            warn(where.str() + ": the run ends at " + number(times.back()) + " s, before time " + number(time) + " s");
+        else
+            chosen.push_back(nearestTime(times, time, where));
+    }
+    require(wanted.empty() || !chosen.empty(), where, "no time that is asked for was written", "written times: " + timesText(times));
     if (!wanted.empty()) return chosen;
     for (std::size_t i = 0; i < times.size(); ++i) chosen.push_back(i);
     return chosen;

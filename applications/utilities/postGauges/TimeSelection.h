@@ -27,7 +27,7 @@ std::size_t nearestTime(std::vector<Real> const& times, Real wanted, Location co
 /// @throw CaseError (BadInput) for text that is no list of ranges and where no time is left.
 std::vector<std::size_t> timesInRanges(std::vector<Real> const& times, std::string const& ranges);
 
-/// The command line's choice; without one those of the list; without a list all.
+/// The command line's choice; without one those of the list that the run has reached, with a warning for the others; without a list all.
 std::vector<std::size_t> chooseTimes(std::vector<Real> const& times, TimeOptions const& options, std::vector<Real> const& wanted,
                                      Location const& where);
 
