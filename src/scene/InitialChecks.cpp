@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <sstream>
 
 #include "boundaries/SegmentTree.h"
 #include "core/Errors.h"
+#include "particles/CellGrid.h"
 
 namespace mpsDem {
 
@@ -93,6 +95,31 @@ void checkFilling(SceneDefinition const& definition, FluidFilling const& fluid)
                 "all " + std::to_string(fluid.count[k]) + " particles of " + region.type + " lie within bodies or behind walls",
                 "a region with fluid outside of solids; see fluidSide of the walls");
     }
+}
+
+void checkSpacing(ParticleSet const& particles)
+{
+    constexpr int fewest = 10;
+    constexpr Real least = 0.75, largest = 1.25, reach = 3; // in spacings
+    auto const walls = static_cast<std::size_t>(particles.wall().size());
+    if (walls < fewest) return;
+    Real const spacing = particles.lattice().spacing;
+    CellGrid grid;
+    grid.build(std::span<Vector const>(particles.r.data(), walls), reach * spacing, particles.lattice().dimensions);
+    std::vector<Real> nearest(walls, 2 * reach * spacing);
+    for (int const i : particles.wall())
+        grid.forEachWithin(particles.r[i], reach * spacing, [&](int j, Vector const&, Real r2) {
+            Real& shortest = nearest[static_cast<std::size_t>(i)];
+            if (j != i) shortest = std::min(shortest, std::sqrt(r2));
+        });
+    auto const middle = nearest.begin() + static_cast<std::ptrdiff_t>(walls / 2);
+    std::nth_element(nearest.begin(), middle, nearest.end());
+    if (*middle >= least * spacing && *middle <= largest * spacing) return;
+    bool const near = *middle < reach * spacing;
+    throw CaseError(ExitCode::BadInput, Location{"constant/particleProperties", 0, "spacing"},
+                    "spacing " + text(spacing) + " m does not fit the particles: those of the walls stand " +
+                        (near ? text(*middle) : "more than " + text(reach * spacing)) + " m apart",
+                    "run setParticles again");
 }
 
 } // namespace mpsDem

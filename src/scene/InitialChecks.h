@@ -29,4 +29,8 @@ void checkPlacement(SceneDefinition const& definition, std::vector<Polyline> con
 /// Refuses a region without a lattice point and fluid of which nothing is left beside the solids.
 void checkFilling(SceneDefinition const& definition, FluidFilling const& fluid);
 
+/// Refuses a state whose wall particles stand by a quarter nearer or farther than the spacing of the case: particles of another
+/// `spacing`, which would explode or seem to be lost. States with fewer than ten wall particles pass. @throw CaseError BadInput
+void checkSpacing(ParticleSet const& particles);
+
 } // namespace mpsDem

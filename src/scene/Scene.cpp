@@ -4,6 +4,7 @@
 #include "core/Timers.h"
 #include "io/Checkpoint.h"
 #include "scene/BodyReader.h"
+#include "scene/InitialChecks.h"
 #include "scene/InputFingerprint.h"
 
 namespace mpsDem {
@@ -53,6 +54,7 @@ Scene::Scene(CaseFolder const& caseFolder, Options const& options)
 {
     State const start = findStart(case_, *time_);
     readStart(start);
+    checkSpacing(particles_);
     if (dicts_.transport) buildFluid();
     if (!bodies_.empty()) buildSolids();
     if (fluid_ && fluid_->periodic()) fluid_->requireWallsInside(dicts_.schemes->where("cyclic"));

@@ -98,6 +98,19 @@ TEST(ProgramLog, AChangeOfTheInputIsToldAtARestart)
     EXPECT_NE(initial.find(told + "system/setParticlesDict\n    run setParticles again"), std::string::npos) << initial;
 }
 
+TEST(ProgramLog, AnotherSpacingThanThatOfTheParticlesIsRefused)
+{
+    for (char const* spacing : {"0.03", "0.06", "0.2", "0.002"})
+    {
+        WedgeCase const testCase;
+        testCase.makeParticles();
+        testCase.append("constant/particleProperties", std::string("spacing ") + spacing + ";\n");
+        ProgramResult const result = testCase.run();
+        EXPECT_EQ(result.exitCode, 2) << spacing << result.output;
+        EXPECT_NE(result.error.find("does not fit the particles"), std::string::npos) << spacing << result.error;
+    }
+}
+
 TEST(ProgramLog, EachEffectIsListedWithItsReason)
 {
     WedgeCase const testCase;
