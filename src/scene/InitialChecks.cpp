@@ -102,10 +102,12 @@ void checkSpacing(ParticleSet const& particles)
     constexpr int fewest = 10;
     constexpr Real least = 0.75, largest = 1.25, reach = 3; // in spacings
     auto const walls = static_cast<std::size_t>(particles.wall().size());
-    if (walls < fewest) return;
+    std::span<Vector const> const position(particles.r.data(), walls);
+    auto const isFinite = [](Vector const& r) { return r.allFinite(); };
+    if (walls < fewest || !std::all_of(position.begin(), position.end(), isFinite)) return; // who reads on says which is not
     Real const spacing = particles.lattice().spacing;
     CellGrid grid;
-    grid.build(std::span<Vector const>(particles.r.data(), walls), reach * spacing, particles.lattice().dimensions);
+    grid.build(position, reach * spacing, particles.lattice().dimensions);
     std::vector<Real> nearest(walls, 2 * reach * spacing);
     for (int const i : particles.wall())
         grid.forEachWithin(particles.r[i], reach * spacing, [&](int j, Vector const&, Real r2) {

@@ -100,11 +100,11 @@ TEST(ProgramLog, AChangeOfTheInputIsToldAtARestart)
 
 TEST(ProgramLog, AnotherSpacingThanThatOfTheParticlesIsRefused)
 {
-    for (char const* spacing : {"0.03", "0.06", "0.2", "0.002"})
+    for (char const* spacing : {"0.03", "0.08", "0.2", "0.002"})
     {
         WedgeCase const testCase;
         testCase.makeParticles();
-        testCase.append("constant/particleProperties", std::string("spacing ") + spacing + ";\n");
+        testCase.replace("constant/particleProperties", "0.05", spacing);
         ProgramResult const result = testCase.run();
         EXPECT_EQ(result.exitCode, 2) << spacing << result.output;
         EXPECT_NE(result.error.find("does not fit the particles"), std::string::npos) << spacing << result.error;
