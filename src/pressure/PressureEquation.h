@@ -43,6 +43,7 @@ public:
                          Field<Real>& pressure);
 
     [[nodiscard]] int unknowns() const { return unknowns_; } ///< Of all ranks.
+    [[nodiscard]] PressureSource const& source() const { return source_; }
     /// Groups without a free surface in the last matrix.
     [[nodiscard]] int closedGroups() const { return groups_.count(); }
     /// Forgets what was set up from earlier matrices: called where a checkpoint is written, so that both runs go on alike.

@@ -30,6 +30,9 @@ public:
     /// @param gradientRadius  [m]. @param density  rho [kg/m3].
     PressureSource(Dictionary const& sourceSchemes, SchemeSet set, Lattice const& lattice, Real gradientRadius, Real density);
 
+    [[nodiscard]] bool corrected() const { return corrected_; }
+    [[nodiscard]] bool smooth() const { return smooth_.has_value(); }
+
     /// gamma of this step [-].
     [[nodiscard]] Real gamma(Step const& step) const;
 

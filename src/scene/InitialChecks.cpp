@@ -97,30 +97,38 @@ void checkFilling(SceneDefinition const& definition, FluidFilling const& fluid)
     }
 }
 
+std::vector<Real> nearestDistances(std::span<Vector const> points, Range const& of, Real reach, int dimensions)
+{
+    CellGrid grid;
+    grid.build(points, reach, dimensions);
+    std::vector<Real> result;
+    for (int const i : of)
+    {
+        Real nearest2 = std::numeric_limits<Real>::infinity();
+        grid.forEachWithin(points[static_cast<std::size_t>(i)], reach, [&](int j, Vector const&, Real r2) {
+            if (j != i) nearest2 = std::min(nearest2, r2);
+        });
+        result.push_back(std::sqrt(nearest2));
+    }
+    return result;
+}
+
 void checkSpacing(ParticleSet const& particles)
 {
     constexpr int fewest = 10;
     constexpr Real least = 0.75, largest = 1.25, reach = 3; // in spacings
-    auto const walls = static_cast<std::size_t>(particles.wall().size());
-    std::span<Vector const> const position(particles.r.data(), walls);
+    Range const walls = particles.wall();
+    std::span<Vector const> const position(particles.r.data(), static_cast<std::size_t>(walls.size()));
     auto const isFinite = [](Vector const& r) { return r.allFinite(); };
-    if (walls < fewest || !std::all_of(position.begin(), position.end(), isFinite)) return; // who reads on says which is not
+    if (walls.size() < fewest || !std::all_of(position.begin(), position.end(), isFinite)) return; // who reads on says which is not
     Real const spacing = particles.lattice().spacing;
-    CellGrid grid;
-    grid.build(position, reach * spacing, particles.lattice().dimensions);
-    std::vector<Real> nearest(walls, 2 * reach * spacing);
-    for (int const i : particles.wall())
-        grid.forEachWithin(particles.r[i], reach * spacing, [&](int j, Vector const&, Real r2) {
-            Real& shortest = nearest[static_cast<std::size_t>(i)];
-            if (j != i) shortest = std::min(shortest, std::sqrt(r2));
-        });
-    auto const middle = nearest.begin() + static_cast<std::ptrdiff_t>(walls / 2);
+    std::vector<Real> nearest = nearestDistances(position, walls, reach * spacing, particles.lattice().dimensions);
+    auto const middle = nearest.begin() + walls.size() / 2;
     std::nth_element(nearest.begin(), middle, nearest.end());
     if (*middle >= least * spacing && *middle <= largest * spacing) return;
-    bool const near = *middle < reach * spacing;
+    std::string const apart = std::isfinite(*middle) ? text(*middle) : "more than " + text(reach * spacing);
     throw CaseError(ExitCode::BadInput, Location{"constant/particleProperties", 0, "spacing"},
-                    "spacing " + text(spacing) + " m does not fit the particles: those of the walls stand " +
-                        (near ? text(*middle) : "more than " + text(reach * spacing)) + " m apart",
+                    "spacing " + text(spacing) + " m does not fit the particles: those of the walls stand " + apart + " m apart",
                     "run setParticles again");
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,10 @@ void checkPlacement(SceneDefinition const& definition, std::vector<Polyline> con
 
 /// Refuses a region without a lattice point and fluid of which nothing is left beside the solids.
 void checkFilling(SceneDefinition const& definition, FluidFilling const& fluid);
+
+/// Distance of each of some points from its nearest neighbour [m]; infinite beyond `reach`. @param points  Where neighbours are looked for.
+/// @param of  The points among them that the result is for.
+std::vector<Real> nearestDistances(std::span<Vector const> points, Range const& of, Real reach, int dimensions);
 
 /// Refuses a state whose wall particles stand by a quarter nearer or farther than the spacing of the case: particles of another
 /// `spacing`, which would explode or seem to be lost. States with fewer than ten wall particles pass. @throw CaseError BadInput

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "core/Log.h"
-#include "particles/CellGrid.h"
 #include "scene/BodyReader.h"
+#include "scene/InitialChecks.h"
 #include "scene/SizeEstimate.h"
 
 namespace mpsDem {
@@ -43,15 +43,9 @@ Crowding crowding(ParticleSet const& particles)
 {
     Crowding result;
     Real const spacing = particles.lattice().spacing;
-    CellGrid grid;
-    grid.build(particles.r, 1.1 * spacing, particles.lattice().dimensions);
-    for (int const i : particles.fluid())
+    for (Real const distance : nearestDistances(particles.r, particles.fluid(), 1.1 * spacing, particles.lattice().dimensions))
     {
-        Real nearest2 = std::numeric_limits<Real>::infinity();
-        grid.forEachWithin(particles.r[static_cast<std::size_t>(i)], 1.1 * spacing, [&](int j, Vector const&, Real r2) {
-            if (j != i) nearest2 = std::min(nearest2, r2);
-        });
-        Real const nearest = std::sqrt(nearest2) / spacing;
+        Real const nearest = distance / spacing;
         result.least = std::min(result.least, nearest);
         if (nearest < 0.5) ++result.crowded;
     }

@@ -1,5 +1,3 @@
-#include <sstream>
-
 #include "core/Errors.h"
 #include "core/Log.h"
 #include "scene/Scene.h"
@@ -39,9 +37,8 @@ std::string enabledOf(Dictionary const& functions)
 void Scene::listEffects()
 {
     bool const heavy = !gravity_.isZero();
-    std::ostringstream g;
-    g << "constant/g gives (" << gravity_.x() << ' ' << gravity_.y() << ' ' << gravity_.z() << ") m/s2";
-    effects_.add("gravity", heavy, heavy ? g.str() : "no constant/g, or zero");
+    std::string const g = shortNumber(gravity_.x()) + " " + shortNumber(gravity_.y()) + " " + shortNumber(gravity_.z());
+    effects_.add("gravity", heavy, heavy ? "constant/g gives (" + g + ") m/s2" : "no constant/g, or zero");
     listFluidEffects();
     listBodyEffects();
     bool const on = guard_->active(), given = dicts_.control.subDictOrEmpty("redoSteps").found("active");
@@ -77,11 +74,9 @@ void Scene::listFluidEffects()
                                          entryOf(dicts_.schemes, "viscositySchemes", "type")
                                    : Viscosity::whyAbsent(viscosity, dicts_.lattice, fluid.nu(), timeStep_->largest()));
     effects_.add("boundary labelling", !fluid_->labeller().needsAllWalls(), entryOf(dicts_.schemes, "boundarySchemes", "labelling"));
-    Dictionary const source = dicts_.schemes.value_or(Dictionary()).subDictOrEmpty("sourceSchemes");
-    effects_.add("corrected divergence", source.getOr<std::string>("divergence", "") == "corrected",
-                 entryOf(dicts_.schemes, "sourceSchemes", "divergence"));
-    effects_.add("smooth density", source.getOr<std::string>("density", "") == "smooth",
-                 entryOf(dicts_.schemes, "sourceSchemes", "density"));
+    PressureSource const& source = fluid_->source();
+    effects_.add("corrected divergence", source.corrected(), entryOf(dicts_.schemes, "sourceSchemes", "divergence"));
+    effects_.add("smooth density", source.smooth(), entryOf(dicts_.schemes, "sourceSchemes", "density"));
     effects_.add("velocity damping", fluid.velocityDamping() != nullptr, entryOf(dicts_.schemes, "velocityDamping", "type"));
     effects_.add("collision", fluid.collision() != nullptr, entryOf(dicts_.schemes, "collisionSchemes", "type"));
     effects_.add("shifting", fluid.shifting() != nullptr, entryOf(dicts_.schemes, "shiftingSchemes", "type"));

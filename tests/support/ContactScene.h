@@ -12,6 +12,7 @@
 
 #include "bodies/RigidBody.h"
 #include "dem/ContactModel.h"
+#include "support/Measured.h"
 
 namespace mpsDem::test {
 
@@ -97,13 +98,6 @@ private:
 inline Polyline floorLine(std::string const& name = "floor")
 {
     return Polyline(name, {{-10, 0, 0}, {10, 0, 0}}, false, Polyline::FluidSide::Left);
-}
-
-/// Prints "name, value, bound" and asserts |value| <= bound.
-inline void expectWithin(std::string const& name, Real value, Real bound)
-{
-    std::printf("%-48s %14.6g  bound %g\n", name.c_str(), value, bound);
-    EXPECT_LE(std::abs(value), bound) << name;
 }
 
 } // namespace mpsDem::test

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/Scene.h"
+#include "support/Measured.h"
 #include "support/TemporaryFolder.h"
 
 namespace mpsDem::test {
@@ -156,9 +157,9 @@ struct Band
 };
 
 /// Expects energy, speed, density, overlap and limited displacements in the band, no step cut and no particle lost.
-void expectInBand(std::string const& name, RunCase const& run, Watch const& watch, Band const& band);
+void expectInBand(std::string const& name, RunCase const& run, Watch const& watch, Band const& band, Place const& place = Place::current());
 /// Expects that momentum of water and bodies changes by the impulses from outside, to 2 % of the weight of the water in 1 s.
-void expectMomentum(std::string const& name, Watch const& watch);
+void expectMomentum(std::string const& name, Watch const& watch, Place const& place = Place::current());
 
 /// A step-to-step measure of noise: root mean square of the change of a vector.
 class Jump
@@ -173,10 +174,5 @@ private:
     Real squares_ = 0;
     long count_ = 0;
 };
-
-/// Prints `name value bound` and expects |value| <= bound.
-void expectBelow(std::string const& name, Real value, Real bound);
-/// Prints the same and expects low <= value <= high.
-void expectBetween(std::string const& name, Real value, Real low, Real high);
 
 } // namespace mpsDem::test

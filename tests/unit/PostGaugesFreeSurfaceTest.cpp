@@ -6,18 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "postGauges/FreeSurface.h"
+#include "support/Measured.h"
 
 namespace mpsDem::postGauges {
 
 namespace {
 
 constexpr Real dx = 0.02;
-
-void report(char const* name, Real value, Real bound)
-{
-    std::printf("%-48s %14.6g  bound %g\n", name, value, bound);
-    EXPECT_LE(std::abs(value), bound) << name;
-}
 
 /// Lattice points below a surface y = eta(x) and above a bed, disturbed by up to `jitter` spacings.
 std::vector<Vector> water(std::function<Real(Real)> const& eta, std::function<Real(Real)> const& bed, Real jitter)
@@ -69,14 +64,14 @@ TEST(PostGaugesFreeSurface, levelLatticeIsExactByVolume)
 {
     auto const fluid = levelWater(0.8);
     for (Real const x : {0.5, 0.507, 0.51, 1.2345})
-        report("level lattice, volume, error [spacings]", (eta(fluid, floorRows(), SurfaceMethod::Volume, x) - 0.8) / dx, 1e-9);
+        test::expectBelow("level lattice, volume, error [spacings]", (eta(fluid, floorRows(), SurfaceMethod::Volume, x) - 0.8) / dx, 1e-9);
 }
 
 TEST(PostGaugesFreeSurface, levelLatticeByTopIsWithinATenthOfASpacing)
 {
     auto const fluid = levelWater(0.8);
     for (Real const x : {0.5, 0.507, 0.51, 1.2345})
-        report("level lattice, top, error [spacings]", (eta(fluid, floorRows(), SurfaceMethod::Top, x) - 0.8) / dx, 0.1);
+        test::expectBelow("level lattice, top, error [spacings]", (eta(fluid, floorRows(), SurfaceMethod::Top, x) - 0.8) / dx, 0.1);
 }
 
 TEST(PostGaugesFreeSurface, disturbedLatticeGivesLittleNoise)
@@ -93,8 +88,8 @@ TEST(PostGaugesFreeSurface, disturbedLatticeGivesLittleNoise)
         volumeSquares += std::pow((volume.elevation(Vector(x, 0, 0)).value() - 0.8) / dx, 2);
         topSquares += std::pow((top.elevation(Vector(x, 0, 0)).value() - 0.8) / dx, 2);
     }
-    report("jitter 0.15, volume, rms [spacings]", std::sqrt(volumeSquares / places), 0.17);
-    report("jitter 0.15, top, rms [spacings]", std::sqrt(topSquares / places), 0.13);
+    test::expectBelow("jitter 0.15, volume, rms [spacings]", std::sqrt(volumeSquares / places), 0.17);
+    test::expectBelow("jitter 0.15, top, rms [spacings]", std::sqrt(topSquares / places), 0.13);
 }
 
 TEST(PostGaugesFreeSurface, tiltedSurfaceIsUnbiased)
@@ -108,7 +103,7 @@ TEST(PostGaugesFreeSurface, tiltedSurfaceIsUnbiased)
     FreeSurface const surface(fluid, floorRows(), wide);
     Real worst = 0;
     for (Real x = 0.4; x < 1.6; x += 0.013) worst = std::max(worst, std::abs(surface.elevation(Vector(x, 0, 0)).value() - slope(x)));
-    report("slope 0.1, width 10, worst [spacings]", worst / dx, 0.1);
+    test::expectBelow("slope 0.1, width 10, worst [spacings]", worst / dx, 0.1);
 }
 
 TEST(PostGaugesFreeSurface, dropsAreNotSeen)
@@ -125,8 +120,8 @@ TEST(PostGaugesFreeSurface, dropsAreNotSeen)
 TEST(PostGaugesFreeSurface, thinFilmKeepsItsDepth)
 {
     auto const fluid = levelWater(2 * dx);
-    report("film of 2 spacings, volume [spacings]", (eta(fluid, floorRows(), SurfaceMethod::Volume, 1.0) - 2 * dx) / dx, 1e-9);
-    report("film of 2 spacings, top [spacings]", (eta(fluid, floorRows(), SurfaceMethod::Top, 1.0) - 2 * dx) / dx, 0.1);
+    test::expectBelow("film of 2 spacings, volume [spacings]", (eta(fluid, floorRows(), SurfaceMethod::Volume, 1.0) - 2 * dx) / dx, 1e-9);
+    test::expectBelow("film of 2 spacings, top [spacings]", (eta(fluid, floorRows(), SurfaceMethod::Top, 1.0) - 2 * dx) / dx, 0.1);
 }
 
 TEST(PostGaugesFreeSurface, sideWallAboveTheWaterIsNotWater)
@@ -135,8 +130,8 @@ TEST(PostGaugesFreeSurface, sideWallAboveTheWaterIsNotWater)
     for (int k = 0; k < 3; ++k)
         for (int j = -3; j < 60; ++j) solid.emplace_back(-(k + 0.5) * dx, (j + 0.5) * dx, 0);
     auto const fluid = levelWater(0.8);
-    report("gauge beside a wall, volume [spacings]", (eta(fluid, solid, SurfaceMethod::Volume, dx) - 0.8) / dx, 1e-9);
-    report("gauge beside a wall, top [spacings]", (eta(fluid, solid, SurfaceMethod::Top, dx) - 0.8) / dx, 0.1);
+    test::expectBelow("gauge beside a wall, volume [spacings]", (eta(fluid, solid, SurfaceMethod::Volume, dx) - 0.8) / dx, 1e-9);
+    test::expectBelow("gauge beside a wall, top [spacings]", (eta(fluid, solid, SurfaceMethod::Top, dx) - 0.8) / dx, 0.1);
 }
 
 TEST(PostGaugesFreeSurface, blockInThreeDimensionsWithUpAlongZ)
@@ -149,10 +144,10 @@ TEST(PostGaugesFreeSurface, blockInThreeDimensionsWithUpAlongZ)
     s.dimensions = 3;
     s.up = Vector::UnitZ();
     Real const byVolume = FreeSurface(fluid, {}, s).elevation(Vector(0.111, 0.123, 0)).value();
-    report("3-D block, volume, error [spacings]", (byVolume - 10 * dx) / dx, 1e-9);
+    test::expectBelow("3-D block, volume, error [spacings]", (byVolume - 10 * dx) / dx, 1e-9);
     s.method = SurfaceMethod::Top;
     Real const byTop = FreeSurface(fluid, {}, s).elevation(Vector(0.111, 0.123, 0)).value();
-    report("3-D block, top, error [spacings]", (byTop - 10 * dx) / dx, 0.1);
+    test::expectBelow("3-D block, top, error [spacings]", (byTop - 10 * dx) / dx, 0.1);
 }
 
 TEST(PostGaugesFreeSurface, groupsOfParticles)

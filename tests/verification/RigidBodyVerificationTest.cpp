@@ -1,22 +1,16 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
-#include <gtest/gtest.h>
-
 #include "bodies/RigidBody.h"
+#include "support/Measured.h"
 
 namespace mpsDem {
 namespace {
 
 Real constexpr pi = std::numbers::pi;
 
-void expectBelow(char const* name, Real value, Real bound)
-{
-    std::printf("%-48s %14.6g  bound %g\n", name, value, bound);
-    EXPECT_LT(value, bound) << name;
-}
+using test::expectBelow;
 
 RigidBody bodyWith(Real mass, Vector const& moments, Vector const& centre = Vector::Zero())
 {

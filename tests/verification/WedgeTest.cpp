@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "support/Curve.h"
 #include "support/RunCase.h"
-#include "validation/DamBreak.h"
 
 namespace mpsDem::test {
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -104,17 +105,19 @@ std::vector<std::size_t> chooseTimes(std::vector<Real> const& times, TimeOptions
     if (options.latest) return {times.size() - 1};
     if (!options.ranges.empty()) return timesInRanges(times, options.ranges);
     std::vector<std::size_t> chosen;
-    for (Real const time : wanted)
+    if (wanted.empty())
     {
-        bool const over = time > times.back() + tolerance(times, times.size() - 1);
-        if (over)
-            warn(where.str() + ": the run ends at " + number(times.back()) + " s, before time " + number(time) + " s");
-        else
-            chosen.push_back(nearestTime(times, time, where));
+        chosen.resize(times.size());
+        std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+        return chosen;
     }
-    require(wanted.empty() || !chosen.empty(), where, "no time that is asked for was written", "written times: " + timesText(times));
-    if (!wanted.empty()) return chosen;
-    for (std::size_t i = 0; i < times.size(); ++i) chosen.push_back(i);
+    Real const end = times.back() + tolerance(times, times.size() - 1);
+    for (Real const time : wanted)
+        if (time <= end)
+            chosen.push_back(nearestTime(times, time, where));
+        else
+            warn(where.str() + ": the run ends at " + number(times.back()) + " s, before time " + number(time) + " s");
+    require(!chosen.empty(), where, "no time that is asked for was written", "written times: " + timesText(times));
     return chosen;
 }
 
