@@ -33,10 +33,12 @@ FluidBodyCoupling::Controls FluidBodyCoupling::readControls(Dictionary const& di
     controls.integration.radius = 2.1 * lattice.spacing;
     controls.integration.positiveOnly = positiveOnly;
     controls.integration.porePressure = dict.getWordOr("contactFace", "dry", {"dry", "pore"}, "contact faces") == "pore";
+    require(lattice.dimensions == 2 || !controls.integration.porePressure, dict.where("contactFace"), "contactFace pore in 3-D",
+            "dry, or a 2-D case");
     return controls;
 }
 
-FluidBodyCoupling::FluidBodyCoupling(RigidBody& body, int number, Polyline const& outline, ParticleSet const& particles,
+FluidBodyCoupling::FluidBodyCoupling(RigidBody& body, int number, Surface const& outline, ParticleSet const& particles,
                                      Controls const& controls, Vector const& gravity, Real density)
     : body_(body),
       controls_(controls),

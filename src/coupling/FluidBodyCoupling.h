@@ -63,7 +63,7 @@ public:
 
     /// @param body     Number of the body in particles.body.
     /// @param outline  In body axes.
-    FluidBodyCoupling(RigidBody& body, int number, Polyline const& outline, ParticleSet const& particles, Controls const& controls,
+    FluidBodyCoupling(RigidBody& body, int number, Surface const& outline, ParticleSet const& particles, Controls const& controls,
                       Vector const& gravity, Real density);
 
     /// Sets position, velocity, normal and acceleration of the body's particles.

@@ -1,6 +1,7 @@
 #include "coupling/WettedSurface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "parallel/Reduce.h"
@@ -20,29 +21,68 @@ constexpr Real contactReach = 1.5;
 /// nearer to the surface than that wall particle.
 constexpr Real coverReach = 1.5;
 constexpr Real between = 0.25;
+/// Longest edge of a piece of a triangle, in spacings: two pieces of a square of one spacing.
+constexpr Real longestEdge = 1.4143;
 
 } // namespace
 
-WettedSurface::WettedSurface(Polyline const& outline, Lattice const& lattice, int body)
+WettedSurface::WettedSurface(Surface const& outline, Lattice const& lattice, int body)
     : lattice_(lattice),
       body_(body),
       closed_(outline.closed())
 {
-    for (Polyline::Segment const& segment : outline.segments())
+    if (outline.flat())
+        addSegments(outline.line());
+    else
+        addTriangles(outline.triangles());
+    position_ = localPosition_;
+    normal_ = localNormal_;
+    pressure_.assign(position_.size(), 0);
+    wet_.assign(position_.size(), 0);
+}
+
+void WettedSurface::addSegments(Polyline const& line)
+{
+    for (Polyline::Segment const& segment : line.segments())
     {
-        int const pieces = std::max(1, static_cast<int>(std::ceil(segment.length / lattice.spacing - 1e-9)));
+        int const pieces = std::max(1, static_cast<int>(std::ceil(segment.length / lattice_.spacing - 1e-9)));
         Real const length = segment.length / pieces;
         for (int k = 0; k < pieces; ++k)
         {
             localPosition_.push_back(segment.a + (k + 0.5) * length * segment.tangent);
             localNormal_.push_back(segment.normal);
-            area_.push_back(length * lattice.thickness);
+            area_.push_back(length * lattice_.thickness);
         }
     }
-    position_ = localPosition_;
-    normal_ = localNormal_;
-    pressure_.assign(position_.size(), 0);
-    wet_.assign(position_.size(), 0);
+}
+
+void WettedSurface::addTriangles(TriSurface const& triangles)
+{
+    std::vector<std::array<Vector, 3>> pieces;
+    for (TriSurface::Triangle const& t : triangles.triangles())
+    {
+        pieces.assign(1, {triangles.point(t, 0), triangles.point(t, 1), triangles.point(t, 2)});
+        while (!pieces.empty())
+        {
+            std::array<Vector, 3> const piece = pieces.back();
+            pieces.pop_back();
+            int longest = 0;
+            auto const side = [&](int k) { return (piece[(k + 1) % 3] - piece[k]).norm(); };
+            for (int const k : {1, 2})
+                if (side(k) > side(longest) * (1 + 1e-12)) longest = k;
+            Vector const a = piece[longest], b = piece[(longest + 1) % 3], c = piece[(longest + 2) % 3];
+            if (side(longest) > lattice_.spacing * longestEdge)
+            {
+                Vector const middle = 0.5 * (a + b);
+                pieces.push_back({middle, b, c});
+                pieces.push_back({a, middle, c});
+                continue;
+            }
+            localPosition_.push_back((a + b + c) / 3);
+            localNormal_.push_back(t.normal);
+            area_.push_back(0.5 * (b - a).cross(c - a).norm());
+        }
+    }
 }
 
 void WettedSurface::place(Tensor const& rotation, Vector const& centre)

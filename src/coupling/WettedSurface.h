@@ -4,7 +4,7 @@
 #include <string>
 
 #include "bodies/Load.h"
-#include "core/Polyline.h"
+#include "core/Surface.h"
 #include "particles/CellGrid.h"
 #include "particles/ParticleSet.h"
 
@@ -21,14 +21,15 @@ struct PressureIntegrationControls
 
 /// Quadrature points on the surface of a solid; eq 15 and eq 16 over them.
 ///
-/// The points lie on the exact surface, one in the middle of each piece of at most one spacing, so that sum n dA = 0 for a closed outline
+/// The points lie on the exact surface, one in the middle of each piece of at most one spacing (3-D: of each triangle, halved until no edge
+/// is longer than the diagonal of a square of one spacing), so that sum n dA = 0 for a closed outline
 /// and sum x.n dA / d = V to round-off, whatever the boundary particles do.
 class WettedSurface
 {
 public:
     /// @param outline   In body axes from the centre of mass, or in space for a fixed surface.
     /// @param body      Index of the body, -1 for a fixed surface.
-    WettedSurface(Polyline const& outline, Lattice const& lattice, int body);
+    WettedSurface(Surface const& outline, Lattice const& lattice, int body);
 
     /// Moves the points with their body.
     void place(Tensor const& rotation, Vector const& centre);
@@ -65,6 +66,8 @@ public:
     [[nodiscard]] Field<std::uint8_t> const& wet() const { return wet_; }
 
 private:
+    void addSegments(Polyline const& line);
+    void addTriangles(TriSurface const& triangles);
     void evaluatePoint(ParticleSet const& particles, CellGrid const& grid, Field<Real> const& pressure, Real slope,
                        PressureIntegrationControls const& controls, std::size_t s);
     void fillContactFaces(ParticleSet const& particles, CellGrid const& grid);

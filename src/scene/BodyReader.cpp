@@ -2,80 +2,132 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 
 #include "bodies/Entries.h"
 #include "bodies/RigidBodyReader.h"
 #include "core/Errors.h"
 #include "core/Registry.h"
 #include "scene/EntryText.h"
-#include "scene/GeometryReader.h"
 
 namespace mpsDem {
 
 namespace {
 
+/// A body's shape before it has a name.
 struct Shape
 {
-    std::vector<Vector> points;
-    Real radius = 0;
-    Vector centre = Vector::Zero(); ///< Of a cylinder.
+    std::function<Surface(std::string const& name)> make;
+    std::optional<MassProperties> exact; ///< Of what the surface only comes near to, for a density of 1 kg/m3.
+    Real radius = 0;                     ///< Of a disc or a sphere.
 };
 
-using ShapeRegistry = Registry<Shape, Dictionary const&, Real>;
+using BodyShapeRegistry = Registry<Shape, Dictionary const&, GeometryContext const&>;
 
-std::unique_ptr<Shape> makePolygon(Dictionary const& dict, Real)
+std::vector<Vector> readPolygon(Dictionary const& dict)
+{
+    auto points = readPoints(dict, "points");
+    require(points.size() >= 3, dict.where("points"), "a polygon of " + std::to_string(points.size()) + " points", "three or more");
+    return points;
+}
+
+std::unique_ptr<Shape> makePolygon(Dictionary const& dict, GeometryContext const& context)
 {
     auto shape = std::make_unique<Shape>();
-    shape->points = readPoints(dict, "points");
-    require(shape->points.size() >= 3, dict.where("points"), "a polygon of " + std::to_string(shape->points.size()) + " points",
-            "three or more");
+    auto const points = readPolygon(dict);
+    if (context.lattice.dimensions == 2)
+        shape->make = [points](std::string const& name) { return Surface(Polyline::outline(name, points)); };
+    else
+    {
+        auto const [low, high] = readZRange(dict);
+        shape->make = [points, low = low, high = high](std::string const& name) {
+            return Surface(TriSurface::prism(name, points, low, high));
+        };
+    }
     return shape;
 }
 
-std::unique_ptr<Shape> makeBox(Dictionary const& dict, Real)
+std::unique_ptr<Shape> makeBox(Dictionary const& dict, GeometryContext const& context)
 {
-    Vector const a = readPoint(dict, "min"), b = readPoint(dict, "max");
-    require(a.x() < b.x() && a.y() < b.y(), dict.where("max"), "a box whose max is not above its min", "min < max in x and y");
+    int const dimensions = context.lattice.dimensions;
+    Vector const a = readPoint(dict, "min", dimensions), b = readPoint(dict, "max", dimensions);
+    bool const rising = a.x() < b.x() && a.y() < b.y() && (dimensions == 2 || a.z() < b.z());
+    require(rising, dict.where("max"), "a box whose max is not above its min",
+            dimensions == 2 ? "min < max in x and y" : "min < max in x, y and z");
     auto shape = std::make_unique<Shape>();
-    shape->points = {a, Vector(b.x(), a.y(), 0), b, Vector(a.x(), b.y(), 0)};
+    shape->make = [=](std::string const& name) {
+        if (dimensions == 3) return Surface(TriSurface::box(name, a, b));
+        return Surface(Polyline::outline(name, {a, Vector(b.x(), a.y(), 0), b, Vector(a.x(), b.y(), 0)}));
+    };
     return shape;
 }
 
-std::unique_ptr<Shape> makeCylinder(Dictionary const& dict, Real spacing)
+std::unique_ptr<Shape> makeDisc(Dictionary const& dict, GeometryContext const& context)
 {
     auto shape = std::make_unique<Shape>();
-    shape->centre = readPoint(dict, "centre");
-    shape->radius = readPositive(dict, "radius");
-    shape->points = circlePoints(shape->centre, shape->radius, spacing);
+    Vector const centre = readPoint(dict, "centre");
+    Real const radius = readPositive(dict, "radius");
+    shape->radius = radius;
+    shape->exact = MassProperties::fromCylinder2D(centre, radius, context.lattice.thickness, 1);
+    auto const points = circlePoints(centre, radius, context.lattice.spacing);
+    shape->make = [points](std::string const& name) { return Surface(Polyline::outline(name, points)); };
     return shape;
 }
 
-ShapeRegistry const& shapes()
+std::unique_ptr<Shape> makeCylinder(Dictionary const& dict, GeometryContext const& context)
 {
-    static ShapeRegistry const registry = [] {
-        ShapeRegistry made("shape", "shapes");
+    auto shape = std::make_unique<Shape>();
+    Vector const a = readPoint(dict, "point1", 3), b = readPoint(dict, "point2", 3);
+    Real const radius = readPositive(dict, "radius");
+    require((b - a).norm() > 0, dict.where("point2"), "a cylinder without length", "two different ends of the axis");
+    shape->exact = MassProperties::fromCylinder(a, b, radius, 1);
+    int const sides = static_cast<int>(circlePoints(a, radius, context.lattice.spacing).size());
+    shape->make = [=](std::string const& name) { return Surface(TriSurface::cylinder(name, a, b, radius, sides)); };
+    return shape;
+}
+
+std::unique_ptr<Shape> makeSphere(Dictionary const& dict, GeometryContext const& context)
+{
+    auto shape = std::make_unique<Shape>();
+    Vector const centre = readPoint(dict, "centre", 3);
+    Real const radius = readPositive(dict, "radius"), edge = sphereEdge * context.lattice.spacing;
+    shape->radius = radius;
+    shape->exact = MassProperties::fromSphere(centre, radius, 1);
+    shape->make = [=](std::string const& name) { return Surface(TriSurface::sphere(name, centre, radius, edge)); };
+    return shape;
+}
+
+BodyShapeRegistry const& bodyShapes(int dimensions)
+{
+    static auto const make = [](bool flat) {
+        BodyShapeRegistry made("shape", "shapes");
         made.add("polygon", makePolygon);
         made.add("box", makeBox);
-        made.add("cylinder", makeCylinder);
+        made.add("cylinder", flat ? makeDisc : makeCylinder);
+        if (!flat) made.add("sphere", makeSphere);
         return made;
-    }();
-    return registry;
+    };
+    static BodyShapeRegistry const flat = make(true), spatial = make(false);
+    return dimensions == 2 ? flat : spatial;
 }
 
-BodyShape readBodyShape(std::string const& name, Dictionary const& body, Lattice const& lattice)
+BodyShape readBodyShape(std::string const& name, Dictionary const& body, GeometryContext const& context)
 {
     Dictionary const dict = body.subDict("shape");
-    auto const shape = shapes().make(dict.get<std::string>("type"), dict.where("type"), dict, lattice.spacing);
+    Lattice const& lattice = context.lattice;
+    auto const shape = bodyShapes(lattice.dimensions).make(dict.get<std::string>("type"), dict.where("type"), dict, context);
     BodyShape result;
     result.name = name;
     result.where = dict.where(dict.found("points") ? "points" : "");
     result.radius = shape->radius;
     result.orientation = readOrientation(body, "orientation");
     atPlace(result.where, [&] {
-        result.outline = Polyline::outline(name, shape->points);
-        result.properties = shape->radius > 0 ? MassProperties::fromCylinder2D(shape->centre, shape->radius, lattice.thickness, 1)
-                                              : MassProperties::fromPolygon(result.outline, lattice.thickness, 1);
+        result.outline = shape->make(name);
+        result.properties = shape->exact            ? *shape->exact
+                            : result.outline.flat() ? MassProperties::fromPolygon(result.outline.line(), lattice.thickness, 1)
+                                                    : MassProperties::fromTriSurface(result.outline.triangles(), 1);
         return 0;
     });
     Real const least = leastWidth(result.outline);
@@ -85,51 +137,61 @@ BodyShape readBodyShape(std::string const& name, Dictionary const& body, Lattice
     return result;
 }
 
+/// Extent of points along a direction.
+Real widthAlong(std::vector<Vector> const& points, Vector const& direction)
+{
+    Real low = std::numeric_limits<Real>::infinity(), high = -low;
+    for (Vector const& r : points)
+    {
+        low = std::min(low, direction.dot(r));
+        high = std::max(high, direction.dot(r));
+    }
+    return high - low;
+}
+
 } // namespace
 
-Real leastWidth(Polyline const& outline)
+Real leastWidth(Surface const& outline)
 {
     Real least = std::numeric_limits<Real>::infinity();
-    for (auto const& side : outline.segments())
+    if (outline.flat())
     {
-        Real low = 0, high = 0;
-        for (Vector const& corner : outline.points())
-        {
-            Real const off = side.normal.dot(corner - side.a);
-            low = std::min(low, off);
-            high = std::max(high, off);
-        }
-        least = std::min(least, high - low);
+        for (auto const& side : outline.line().segments()) least = std::min(least, widthAlong(outline.points(), side.normal));
+        return least;
     }
+    auto const& triangles = outline.triangles().triangles();
+    std::size_t const step = std::max<std::size_t>(1, triangles.size() / 100);
+    for (std::size_t t = 0; t < triangles.size(); t += step) least = std::min(least, widthAlong(outline.points(), triangles[t].normal));
     return least;
 }
 
-std::vector<BodyShape> readBodyShapes(Dictionary const& rigidBodyProperties, Lattice const& lattice)
+std::vector<BodyShape> readBodyShapes(Dictionary const& rigidBodyProperties, GeometryContext const& context)
 {
     std::vector<BodyShape> all;
     Dictionary const bodies = rigidBodyProperties.subDict("bodies");
-    for (std::string const& name : bodies.dictKeys()) all.push_back(readBodyShape(name, bodies.subDict(name), lattice));
+    for (std::string const& name : bodies.dictKeys()) all.push_back(readBodyShape(name, bodies.subDict(name), context));
     return all;
 }
 
-std::vector<std::unique_ptr<RigidBody>> readBodies(Dictionary const& rigidBodyProperties, Lattice const& lattice, Real time)
+std::vector<std::unique_ptr<RigidBody>> readBodies(Dictionary const& rigidBodyProperties, GeometryContext const& context, Real time)
 {
     std::vector<std::unique_ptr<RigidBody>> all;
     Dictionary const bodies = rigidBodyProperties.subDict("bodies");
-    for (BodyShape const& shape : readBodyShapes(rigidBodyProperties, lattice))
+    for (BodyShape const& shape : readBodyShapes(rigidBodyProperties, context))
     {
         Dictionary const dict = bodies.subDict(shape.name);
-        all.push_back(
-            atPlace(dict.where(), [&] { return readRigidBody(shape.name, dict, shape.properties, lattice.dimensions == 2, time); }));
+        all.push_back(atPlace(dict.where(),
+                              [&] { return readRigidBody(shape.name, dict, shape.properties, context.lattice.dimensions == 2, time); }));
     }
     rigidBodyProperties.ignore("solver");
     rigidBodyProperties.requireAllRead();
     return all;
 }
 
-std::vector<std::unique_ptr<RigidBody>> readBodies(Dictionary const& rigidBodyProperties, State const& state, Lattice const& lattice)
+std::vector<std::unique_ptr<RigidBody>> readBodies(Dictionary const& rigidBodyProperties, State const& state,
+                                                   GeometryContext const& context)
 {
-    auto all = readBodies(rigidBodyProperties, lattice, state.real("time/value"));
+    auto all = readBodies(rigidBodyProperties, context, state.real("time/value"));
     std::string const remedy = "the bodies are not those that setParticles saw; run it again";
     std::size_t saved = 0;
     for (auto const& [name, block] : state.blocks()) saved += name.starts_with("body/") && name.ends_with("/index") ? 1 : 0;
@@ -145,11 +207,13 @@ std::vector<std::unique_ptr<RigidBody>> readBodies(Dictionary const& rigidBodyPr
     return all;
 }
 
-Polyline outlineInBodyAxes(BodyShape const& shape, RigidBody const& body)
+Surface outlineInBodyAxes(BodyShape const& shape, RigidBody const& body)
 {
     Tensor const back = shape.orientation.toRotationMatrix().transpose();
+    Vector const& centre = body.massProperties().centreOfMass;
+    if (!shape.outline.flat()) return shape.outline.moved(back, -(back * centre));
     std::vector<Vector> points;
-    for (Vector const& q : shape.outline.points()) points.push_back(back * (q - body.massProperties().centreOfMass));
+    for (Vector const& q : shape.outline.points()) points.push_back(back * (q - centre));
     return Polyline::outline(shape.name, std::move(points));
 }
 

@@ -48,15 +48,17 @@ Lattice readLattice(Dictionary const& particleProperties)
 {
     Lattice lattice;
     lattice.dimensions = particleProperties.getOr<int>("dimensions", 2);
-    require(lattice.dimensions == 2, particleProperties.where("dimensions"),
-            "dimensions " + std::to_string(lattice.dimensions) + " is not supported", "2 (the x-y plane)");
+    require(lattice.dimensions == 2 || lattice.dimensions == 3, particleProperties.where("dimensions"),
+            "dimensions " + std::to_string(lattice.dimensions) + " is not supported", "2 (the x-y plane) or 3");
     lattice.spacing = readPositive(particleProperties, "spacing");
+    require(lattice.dimensions == 2 || !particleProperties.found("thickness"), particleProperties.where("thickness"),
+            "thickness is the width of a 2-D case", "leave it out in 3-D");
     if (particleProperties.found("thickness")) lattice.thickness = readPositive(particleProperties, "thickness");
     particleProperties.requireAllRead();
     return lattice;
 }
 
-Vector readGravity(CaseFolder const& caseFolder)
+Vector readGravity(CaseFolder const& caseFolder, int dimensions)
 {
     auto const dict = caseFolder.readIfPresent("constant/g", "uniformDimensionedVectorField");
     if (!dict) return Vector::Zero();
@@ -66,7 +68,7 @@ Vector readGravity(CaseFolder const& caseFolder)
                 "dimensions [0 1 -2 0 0 0 0];");
     Vector const g = dict->getDimensionedVector("value", {0, 1, -2, 0, 0, 0, 0});
     require(g.allFinite(), dict->where("value"), "gravity is not finite");
-    require(g.z() == 0, dict->where("value"), "gravity leaves the x-y plane", "a 2-D case lies in the plane z = 0");
+    require(dimensions == 3 || g.z() == 0, dict->where("value"), "gravity leaves the x-y plane", "a 2-D case lies in the plane z = 0");
     dict->requireAllRead();
     return g;
 }

@@ -36,13 +36,14 @@ private:
 ///
 /// | key        | meaning                            | unit | default | range |
 /// |------------|------------------------------------|------|---------|-------|
-/// | dimensions | 2: x-y plane                       | -    | 2       | 2     |
+/// | dimensions | 2: x-y plane; or 3                 | -    | 2       | 2, 3  |
 /// | spacing    | distance of particles at the start | m    | none    | > 0   |
 /// | thickness  | width in z that 2-D stands for     | m    | 1       | > 0   |
 Lattice readLattice(Dictionary const& particleProperties);
 
 /// Gravity [m/s2] of constant/g (`dimensions [0 1 -2 0 0 0 0]; value (0 -9.81 0);`); zero where the file is absent.
-Vector readGravity(CaseFolder const& caseFolder);
+/// @param dimensions  2: it must lie in the x-y plane.
+Vector readGravity(CaseFolder const& caseFolder, int dimensions);
 
 /// Density of the fluid [kg/m3], `rho` of constant/transportProperties.
 Real readFluidDensity(Dictionary const& transportProperties);

@@ -122,10 +122,11 @@ void requireInPlane(Vector const& r, Location const& where, std::string const& k
 
 } // namespace
 
-Vector readPoint(Dictionary const& dict, std::string const& key)
+Vector readPoint(Dictionary const& dict, std::string const& key, int dimensions)
 {
     Vector const r = dict.get<Vector>(key);
-    requireInPlane(r, dict.where(key), key);
+    require(r.allFinite(), dict.where(key), key + " is not finite", "three numbers");
+    if (dimensions == 2) requireInPlane(r, dict.where(key), key);
     return r;
 }
 

@@ -30,9 +30,9 @@ struct FieldValues
 FieldValues readFieldValues(Dictionary const& dict, std::string const& key);
 
 /// A vector that must be finite and, in 2-D, have no third component.
-Vector readPoint(Dictionary const& dict, std::string const& key);
+Vector readPoint(Dictionary const& dict, std::string const& key, int dimensions = 2);
 
-/// A list of such vectors.
+/// A list of points of the x-y plane: vectors without third component.
 std::vector<Vector> readPoints(Dictionary const& dict, std::string const& key);
 
 /// Runs `make` and gives errors that carry no place the place given.

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "boundaries/SegmentTree.h"
+#include "boundaries/SurfaceTree.h"
 #include "core/Dictionary.h"
 #include "core/Types.h"
 #include "particles/Lattice.h"
@@ -34,8 +34,8 @@ struct LatticePlacement
 /// Solids that fluid keeps clear of.
 struct Obstacles
 {
-    SegmentTree const& walls;  ///< Fixed walls.
-    SegmentTree const& bodies; ///< Outlines of bodies in space.
+    SurfaceTree const& walls;  ///< Fixed walls.
+    SurfaceTree const& bodies; ///< Outlines of bodies in space.
 };
 
 /// Fluid particles, equal lengths.

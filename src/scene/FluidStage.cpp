@@ -19,9 +19,9 @@ constexpr Real largestLoss = 1e-3;
 
 } // namespace
 
-FluidStage::FluidStage(ParticleSet& particles, std::vector<Polyline> const& walls, FluidSetup const& setup, Ledger& ledger)
+FluidStage::FluidStage(ParticleSet& particles, std::vector<Surface> const& walls, FluidSetup const& setup, Ledger& ledger)
     : particles_(particles),
-      walls_(walls),
+      walls_(linesOf(walls)),
       gravity_(setup.gravity),
       radii_(readRadii(setup.schemes, particles.lattice().spacing)),
       labeller_(BoundaryLabeller::read(setup.schemes.subDictOrEmpty("boundarySchemes"), particles.lattice())),
@@ -37,6 +37,7 @@ FluidStage::FluidStage(ParticleSet& particles, std::vector<Polyline> const& wall
                                            SurfacePressure::read(setup.schemes.subDictOrEmpty("freeSurfaceSchemes"),
                                                                  setup.schemes.subDictOrEmpty("gradSchemes"), readSchemeSet(setup.schemes)),
                                            particles.lattice(), setup.density, fluid_.gradientConstants(), fluid_.laplacianConstants());
+    if (std::vector<TriSurface> const triangles = trianglesOf(walls); !triangles.empty()) walls3D_.emplace(triangles);
     Real const infinity = std::numeric_limits<Real>::infinity();
     low_ = Vector::Constant(infinity);
     high_ = Vector::Constant(-infinity);
@@ -174,7 +175,9 @@ bool FluidStage::hasEscaped(int i) const
         Polyline::Closest const nearest = wall.closest(r);
         if (nearest.distance < -particles_.lattice().spacing && !nearest.atVertex) return true;
     }
-    return false;
+    if (!walls3D_) return false;
+    TriangleTree::Nearest const nearest = walls3D_->nearest(r);
+    return nearest.distance < -particles_.lattice().spacing && !nearest.atRim;
 }
 
 void FluidStage::sortAndCheck(Step const& step)

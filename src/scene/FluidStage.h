@@ -1,8 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "boundaries/BoundaryLabeller.h"
+#include "boundaries/TriangleTree.h"
+#include "core/Surface.h"
 #include "coupling/FluidBodyCoupling.h"
 #include "fluid/Fluid.h"
 #include "fluid/TimeStep.h"
@@ -26,7 +29,7 @@ struct FluidSetup
 class FluidStage
 {
 public:
-    FluidStage(ParticleSet& particles, std::vector<Polyline> const& walls, FluidSetup const& setup, Ledger& ledger);
+    FluidStage(ParticleSet& particles, std::vector<Surface> const& walls, FluidSetup const& setup, Ledger& ledger);
     ~FluidStage();
 
     /// Body particles have moved: periodic images, order in space, neighbours at r^n, number density.
@@ -76,7 +79,8 @@ private:
     void checkFinite(Range const& range, Step const& step) const;
 
     ParticleSet& particles_;
-    std::vector<Polyline> const& walls_;
+    std::vector<Polyline> walls_; ///< 2-D
+    std::optional<TriangleTree> walls3D_;
     Vector gravity_;
     Radii radii_;
     std::unique_ptr<BoundaryLabeller> labeller_;

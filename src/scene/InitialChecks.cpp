@@ -6,7 +6,7 @@
 #include <span>
 #include <sstream>
 
-#include "boundaries/SegmentTree.h"
+#include "boundaries/SurfaceTree.h"
 #include "core/Errors.h"
 #include "particles/CellGrid.h"
 
@@ -24,42 +24,63 @@ std::string text(Real value)
     return out.str();
 }
 
+/// Points of the surface, corners among them.
+std::vector<Vector> samplesOf(Surface const& surface, Real spacing)
+{
+    std::vector<Vector> samples;
+    if (surface.flat())
+    {
+        for (auto const& segment : surface.line().segments())
+        {
+            int const parts = std::max(1, static_cast<int>(std::ceil(segment.length / (0.25 * spacing))));
+            for (int i = 0; i < parts; ++i) samples.push_back(segment.a + (segment.length * i / parts) * segment.tangent);
+        }
+        return samples;
+    }
+    TriSurface const& triangles = surface.triangles();
+    for (auto const& t : triangles.triangles())
+    {
+        Vector const a = triangles.point(t, 0), b = triangles.point(t, 1) - a, c = triangles.point(t, 2) - a;
+        Real const longest = std::max({b.norm(), c.norm(), (b - c).norm()});
+        int const parts = std::clamp(static_cast<int>(std::ceil(longest / (0.5 * spacing))), 1, 500);
+        for (int j = 0; j <= parts; ++j)
+            for (int i = 0; i + j <= parts; ++i) samples.push_back(a + (Real(i) / parts) * b + (Real(j) / parts) * c);
+    }
+    return samples;
+}
+
 std::string text(Vector const& r) { return "(" + text(r.x()) + " " + text(r.y()) + " " + text(r.z()) + ")"; }
 
 } // namespace
 
-Gap gapTo(Polyline const& outline, std::vector<Polyline> const& surfaces, Real spacing)
+Gap gapTo(Surface const& outline, std::vector<Surface> const& surfaces, Real spacing)
 {
     Gap gap;
     gap.distance = std::numeric_limits<Real>::infinity();
     if (surfaces.empty()) return gap;
-    SegmentTree const tree(surfaces);
-    auto const keep = [&](Real distance, Vector const& place, Vector const& normal, int other) {
-        if (distance < gap.distance) gap = {distance, place, normal, other};
-    };
-    for (auto const& segment : outline.segments())
+    SurfaceTree const tree(surfaces), own({outline});
+    for (Vector const& q : samplesOf(outline, spacing))
     {
-        int const parts = std::max(1, static_cast<int>(std::ceil(segment.length / (0.25 * spacing))));
-        for (int i = 0; i < parts; ++i)
-        {
-            Vector const q = segment.a + (segment.length * i / parts) * segment.tangent;
-            auto const near = tree.nearest(q);
-            auto const& item = tree.item(near.item);
-            Polyline const& surface = surfaces[static_cast<std::size_t>(item.chain)];
-            bool const atOpenEnd = !surface.closed() && (near.point == surface.points().front() || near.point == surface.points().back());
-            keep(atOpenEnd ? std::abs(near.distance) : near.distance, q, item.segment.normal, item.chain);
-        }
+        auto const near = tree.nearest(q);
+        Real const distance = near.atRim ? std::abs(near.distance) : near.distance;
+        if (distance < gap.distance) gap = {distance, q, near.normal, near.surface};
     }
     for (std::size_t k = 0; k < surfaces.size(); ++k)
         for (Vector const& corner : surfaces[k].points())
         {
-            auto const near = outline.closest(corner);
-            keep(near.distance, corner, -outline.segments()[static_cast<std::size_t>(near.segment)].normal, static_cast<int>(k));
+            auto const near = own.nearest(corner);
+            if (near.distance < gap.distance) gap = {near.distance, corner, -near.normal, static_cast<int>(k)};
         }
     return gap;
 }
 
-void checkPlacement(SceneDefinition const& definition, std::vector<Polyline> const& surfaces, std::vector<Polyline> const& bodies)
+Real boxDistance(Surface const& a, Surface const& b)
+{
+    SurfaceTree const first({a}), second({b});
+    return (first.low() - second.high()).cwiseMax(second.low() - first.high()).cwiseMax(Vector::Zero()).norm();
+}
+
+void checkPlacement(SceneDefinition const& definition, std::vector<Surface> const& surfaces, std::vector<Surface> const& bodies)
 {
     Real const spacing = definition.lattice.spacing;
     for (std::size_t k = 0; k < bodies.size(); ++k)
@@ -73,6 +94,7 @@ void checkPlacement(SceneDefinition const& definition, std::vector<Polyline> con
                     "no more than half a spacing, " + text(deepestInWall * spacing) + " m");
         for (std::size_t other = 0; other < k; ++other)
         {
+            if (boxDistance(bodies[k], bodies[other]) > 0) continue;
             Gap const between = gapTo(bodies[k], {bodies[other]}, spacing);
             require(between.distance >= -deepestInBody * spacing, where,
                     "bodies \"" + bodies[other].name() + "\" and \"" + bodies[k].name() + "\" overlap by " + text(-between.distance) +

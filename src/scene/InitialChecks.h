@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/Polyline.h"
+#include "core/Surface.h"
 #include "core/Types.h"
 #include "scene/InitialState.h"
 
@@ -19,13 +19,16 @@ struct Gap
     int other = -1;                 ///< Number of the wall or body.
 };
 
-/// Nearest approach of an outline to surfaces: corners and points of its segments at most a quarter of a spacing apart against the
-/// surfaces, and corners of the surfaces against the outline. Beside the end of an open surface nothing overlaps. `other` is -1 where there
-/// are no surfaces.
-Gap gapTo(Polyline const& outline, std::vector<Polyline> const& surfaces, Real spacing);
+/// Nearest approach of an outline to surfaces: corners and points of its segments at most a quarter of a spacing apart (of its triangles
+/// half a spacing) against the surfaces, and corners of the surfaces against the outline. Beside the end of an open surface nothing
+/// overlaps. `other` is -1 where there are no surfaces.
+Gap gapTo(Surface const& outline, std::vector<Surface> const& surfaces, Real spacing);
+
+/// Distance of the boxes along the axes that hold two surfaces [m]: no more than that of the surfaces; 0 where they overlap.
+Real boxDistance(Surface const& a, Surface const& b);
 
 /// Refuses bodies that reach more than half a spacing into a wall or more than 0.05 spacings into each other.
-void checkPlacement(SceneDefinition const& definition, std::vector<Polyline> const& surfaces, std::vector<Polyline> const& bodies);
+void checkPlacement(SceneDefinition const& definition, std::vector<Surface> const& surfaces, std::vector<Surface> const& bodies);
 
 /// Refuses a region without a lattice point and fluid of which nothing is left beside the solids.
 void checkFilling(SceneDefinition const& definition, FluidFilling const& fluid);

@@ -1,13 +1,13 @@
 #include "scene/InitialFiles.h"
 
 #include <cstdint>
-#include <numeric>
 
 #include "core/Errors.h"
 #include "io/Checkpoint.h"
 #include "io/OutputFile.h"
 #include "io/VtkFile.h"
 #include "scene/InputFingerprint.h"
+#include "scene/Output.h"
 
 namespace mpsDem {
 
@@ -35,13 +35,11 @@ void writeParticles(std::filesystem::path const& path, InitialScene const& scene
     writePointCloud(path, cloud, time);
 }
 
-void writeOutline(std::filesystem::path const& path, Polyline const& outline, Real time)
+void writeOutline(std::filesystem::path const& path, Surface const& outline, Real time)
 {
     SurfaceCells surface;
     surface.points = outline.points();
-    std::vector<std::int64_t> corners(outline.points().size());
-    std::iota(corners.begin(), corners.end(), 0);
-    surface.polygons.push_back(std::move(corners));
+    surface.polygons = polygonsOf(outline);
     writeSurface(path, surface, time);
 }
 
@@ -69,7 +67,7 @@ void writeInitialFiles(CaseFolder const& caseFolder, SceneDefinition const& defi
     {
         writeInitialState(folder, scene.state(definition), info);
         if (scene.particles.size() > 0) writeParticles(folder / "particles.vtp", scene, definition.startTime);
-        for (Polyline const& outline : scene.placed) writeOutline(folder / (outline.name() + ".vtp"), outline, definition.startTime);
+        for (Surface const& outline : scene.placed) writeOutline(folder / (outline.name() + ".vtp"), outline, definition.startTime);
         atomicWrite(folder / "report.txt", report);
     }
     catch (CaseError const&)

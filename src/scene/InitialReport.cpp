@@ -7,6 +7,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "boundaries/SurfaceTree.h"
 #include "core/Log.h"
 #include "scene/BodyReader.h"
 #include "scene/InitialChecks.h"
@@ -57,7 +58,11 @@ void reportParticles(std::ostream& out, SceneDefinition const& definition, Initi
     ParticleSet const& particles = scene.particles;
     Lattice const& lattice = definition.lattice;
     out << "Particles\n";
-    line(out, "spacing") << lattice.spacing << " m, thickness " << lattice.thickness << " m\n";
+    line(out, "spacing") << lattice.spacing << " m, ";
+    if (lattice.dimensions == 2)
+        out << "thickness " << lattice.thickness << " m\n";
+    else
+        out << "3-D\n";
     line(out, "fluid") << particles.fluid().size() << "\n";
     line(out, "wall") << particles.wall().size() << "\n";
     line(out, "ghost") << particles.ghost().size() << "\n";
@@ -71,7 +76,7 @@ void reportParticles(std::ostream& out, SceneDefinition const& definition, Initi
 /// The volume that the regions cover, and a warning where they reach out of the tank.
 void reportRegions(std::ostream& out, SceneDefinition const& definition, InitialScene const& scene)
 {
-    RegionVolume const volume = sampleRegions(definition.regions, SegmentTree(scene.surfaces), definition.lattice);
+    RegionVolume const volume = sampleRegions(definition.regions, SurfaceTree(scene.surfaces), definition.lattice);
     out.precision(3);
     line(out, "regions") << "about " << volume.all << " m3, of it " << volume.all - volume.free << " m3 behind walls\n";
     out.precision(6);
@@ -133,13 +138,30 @@ void reportOutlook(std::ostream& out, SceneDefinition const& definition, Initial
 }
 
 /// Below two spacings one row of wall particles stands for both sides: 20 to 40 % of the lift in still water are lost.
-void warnOfThinBody(SceneDefinition const& definition, Polyline const& outline)
+void warnOfThinBody(SceneDefinition const& definition, Surface const& outline)
 {
     Real const thickness = leastWidth(outline) / definition.lattice.spacing;
     if (definition.regions.empty() || thickness > 2 - 1e-6) return;
     std::ostringstream text;
     text << "body \"" << outline.name() << "\" is " << thickness << " spacings thick: forces of the fluid on it are not resolved below 2";
     warn(text.str());
+}
+
+/// Gap to the nearest other body.
+void reportNearestBody(std::ostream& out, SceneDefinition const& definition, InitialScene const& scene, std::size_t k)
+{
+    Gap least;
+    least.distance = std::numeric_limits<Real>::infinity();
+    std::string name;
+    for (std::size_t other = 0; other < scene.placed.size(); ++other)
+    {
+        if (other == k || boxDistance(scene.placed[k], scene.placed[other]) > least.distance) continue;
+        Gap const between = gapTo(scene.placed[k], {scene.placed[other]}, definition.lattice.spacing);
+        if (!(between.distance < least.distance)) continue;
+        least = between;
+        name = scene.placed[other].name();
+    }
+    if (!name.empty()) line(out, "gap to body") << least.distance << " m from " << name << "\n";
 }
 
 void reportBody(std::ostream& out, SceneDefinition const& definition, InitialScene const& scene, std::size_t k,
@@ -155,18 +177,21 @@ void reportBody(std::ostream& out, SceneDefinition const& definition, InitialSce
     line(out, "centre of mass");
     putVector(out, body.centre());
     out << " m\n";
-    line(out, "inertia Izz") << properties.inertia(2, 2) << " kg m2\n";
+    if (definition.lattice.dimensions == 2)
+        line(out, "inertia Izz") << properties.inertia(2, 2) << " kg m2\n";
+    else
+        for (int d = 0; d < 3; ++d)
+        {
+            line(out, d == 0 ? "inertia" : "");
+            putVector(out, properties.inertia.row(d));
+            out << " kg m2\n";
+        }
     warnOfThinBody(definition, scene.placed[k]);
     reportOutlook(out, definition, scene, k, outlook);
     Real const gap = std::abs(outlook.support.distance) < 1e-9 * definition.lattice.spacing ? 0 : outlook.support.distance;
     if (outlook.support.other >= 0)
         line(out, "gap to wall") << gap << " m from " << scene.surfaces[static_cast<std::size_t>(outlook.support.other)].name() << "\n";
-    for (std::size_t other = 0; other < scene.placed.size(); ++other)
-    {
-        if (other == k) continue;
-        Gap const between = gapTo(scene.placed[k], {scene.placed[other]}, definition.lattice.spacing);
-        line(out, "gap to body") << between.distance << " m from " << scene.placed[other].name() << "\n";
-    }
+    reportNearestBody(out, definition, scene, k);
 }
 
 } // namespace

@@ -5,7 +5,8 @@
 #include <limits>
 
 #include "boundaries/BoundaryRows.h"
-#include "boundaries/SegmentTree.h"
+#include "boundaries/SurfaceRows.h"
+#include "boundaries/SurfaceTree.h"
 #include "core/Errors.h"
 #include "scene/InitialChecks.h"
 
@@ -33,11 +34,18 @@ struct Layout
     }
 };
 
-void addWalls(Layout& layout, SceneDefinition const& scene, std::vector<Polyline> const& surfaces)
+/// Rows behind lines (2-D) or triangles (3-D).
+BoundaryRows rowsBehind(std::vector<Surface> const& surfaces, std::vector<int> const& ghostRows, Lattice const& lattice)
+{
+    if (lattice.dimensions == 2) return boundaryRows(linesOf(surfaces), ghostRows, lattice.spacing);
+    return boundaryRows(trianglesOf(surfaces), ghostRows, lattice.spacing);
+}
+
+void addWalls(Layout& layout, SceneDefinition const& scene, std::vector<Surface> const& surfaces)
 {
     std::vector<int> ghostRows;
     for (WallDefinition const& wall : scene.walls) ghostRows.push_back(wall.ghostRows);
-    BoundaryRows const rows = boundaryRows(surfaces, ghostRows, scene.lattice.spacing);
+    BoundaryRows const rows = rowsBehind(surfaces, ghostRows, scene.lattice);
     // Rows go on beyond the end of a wall; at a periodic border the images of its own particles stand there.
     auto const inside = [&](std::size_t i) { return scene.periodic.contains(rows.position[i]); };
     for (std::size_t i = 0; i < rows.position.size(); ++i)
@@ -52,11 +60,10 @@ void addWalls(Layout& layout, SceneDefinition const& scene, std::vector<Polyline
     }
 }
 
-void addBody(Layout& layout, SceneDefinition const& scene, std::size_t k, Polyline const& outline)
+void addBody(Layout& layout, SceneDefinition const& scene, std::size_t k, Surface const& outline)
 {
     RigidBody const& body = *scene.bodies[k];
-    int const ghostRows = ghostRowsFor(scene.kernelRadius);
-    BoundaryRows const rows = boundaryRows(std::span(&outline, 1), std::span(&ghostRows, 1), scene.lattice.spacing);
+    BoundaryRows const rows = rowsBehind({outline}, {ghostRowsFor(scene.kernelRadius)}, scene.lattice);
     bool const any = std::find(rows.type.begin(), rows.type.end(), ParticleType::Wall) != rows.type.end();
     require(any, scene.shapes[k].where, "body \"" + body.name() + "\" is too thin for a row of particles",
             "a body of at least one spacing, or a smaller spacing in constant/particleProperties");
@@ -118,7 +125,7 @@ InitialScene makeInitialScene(SceneDefinition const& definition)
     std::size_t const wetted = definition.regions.empty() ? 0 : definition.bodies.size();
     for (std::size_t k = 0; k < wetted; ++k) addBody(layout, definition, k, scene.outlines[k].outline);
 
-    SegmentTree const walls(scene.surfaces), bodies(scene.placed);
+    SurfaceTree const walls(scene.surfaces), bodies(scene.placed);
     scene.fluid = fillRegions(definition.regions, definition.placement, definition.lattice, {walls, bodies});
     checkFilling(definition, scene.fluid);
     addFluid(layout, definition, scene.fluid);

@@ -7,8 +7,8 @@
 
 #include "bodies/RigidBody.h"
 #include "core/Dictionary.h"
-#include "core/Polyline.h"
 #include "core/State.h"
+#include "core/Surface.h"
 #include "particles/ParticleSet.h"
 #include "scene/BodyReader.h"
 #include "scene/CaseConstants.h"
@@ -47,9 +47,9 @@ struct InitialScene
 {
     ParticleSet particles;
     Field<int> wallOf;                 ///< Number of the wall of each boundary particle; -1 on bodies.
-    std::vector<Polyline> surfaces;    ///< Walls.
+    std::vector<Surface> surfaces;     ///< Walls.
     std::vector<BodyOutline> outlines; ///< In body axes.
-    std::vector<Polyline> placed;      ///< The same in space.
+    std::vector<Surface> placed;       ///< The same in space.
     FluidFilling fluid;
 
     /// All blocks of the initial state.

@@ -1,12 +1,27 @@
 #include "scene/Output.h"
 
+#include <numeric>
+
 #include "core/Timers.h"
 #include "scene/InputFingerprint.h"
 
 namespace mpsDem {
 
+std::vector<std::vector<std::int64_t>> polygonsOf(Surface const& surface)
+{
+    if (surface.flat())
+    {
+        std::vector<std::int64_t> corners(surface.points().size());
+        std::iota(corners.begin(), corners.end(), 0);
+        return {corners};
+    }
+    std::vector<std::vector<std::int64_t>> polygons;
+    for (auto const& t : surface.triangles().triangles()) polygons.push_back({t.corner[0], t.corner[1], t.corner[2]});
+    return polygons;
+}
+
 Output::Output(CaseFolder const& caseFolder, ParticleSet const& particles, std::vector<std::unique_ptr<RigidBody>> const& bodies,
-               std::vector<Polyline> const& outlines)
+               std::vector<Surface> const& outlines)
     : particles_(particles),
       bodies_(bodies),
       outlines_(outlines),
@@ -56,16 +71,14 @@ void Output::writeParticles(Real time)
 
 void Output::writeBody(std::size_t k, Real time)
 {
-    Polyline const placed = outlines_[k].moved(bodies_[k]->rotation(), bodies_[k]->centre());
-    std::vector<std::int64_t> corners(placed.points().size());
-    for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = static_cast<std::int64_t>(i);
+    Surface const placed = outlines_[k].moved(bodies_[k]->rotation(), bodies_[k]->centre());
     SurfaceCells cells;
     cells.points = placed.points();
-    cells.polygons.push_back(corners);
-    Vector const velocity = bodies_[k]->velocity();
-    std::int64_t const number = static_cast<std::int64_t>(k);
-    cells.vectors.emplace_back("U", std::span(&velocity, 1));
-    cells.integers.emplace_back("body", std::span<std::int64_t const>(&number, 1));
+    cells.polygons = polygonsOf(placed);
+    std::vector<Vector> const velocity(cells.polygons.size(), bodies_[k]->velocity());
+    std::vector<std::int64_t> const number(cells.polygons.size(), static_cast<std::int64_t>(k));
+    cells.vectors.emplace_back("U", std::span<Vector const>(velocity));
+    cells.integers.emplace_back("body", std::span<std::int64_t const>(number));
     bodySeries_[k].write(time, cells);
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/Polyline.h"
+#include "core/Surface.h"
 #include "io/VtkSeries.h"
 #include "particles/ParticleSet.h"
 #include "scene/CaseConstants.h"
@@ -13,15 +13,18 @@
 
 namespace mpsDem {
 
+/// Cells of a surface for VTK: one polygon of all its corners for a closed line, a triangle each in 3-D.
+std::vector<std::vector<std::int64_t>> polygonsOf(Surface const& surface);
+
 /// VTK files of particles and bodies, and what a saved state tells about its input.
 ///
 /// Point arrays of VTK/particles: U, p, id, type (0 fluid, 1 wall, 2 wall row labelled ghost by DBL, 3 ghost rows), n (n_i/n0), surface
-/// (0 interior, 1 free surface, 2 near it). Bodies as closed polygons with U and the body's number.
+/// (0 interior, 1 free surface, 2 near it). Bodies as closed polygons (3-D: triangles) with U and the body's number.
 class Output
 {
 public:
     Output(CaseFolder const& caseFolder, ParticleSet const& particles, std::vector<std::unique_ptr<RigidBody>> const& bodies,
-           std::vector<Polyline> const& outlines);
+           std::vector<Surface> const& outlines);
 
     /// Continues the series at the time of a restart; later files of an earlier run go with the first write.
     void startAt(Real time) { startTime_ = time; }
@@ -38,7 +41,7 @@ private:
 
     ParticleSet const& particles_;
     std::vector<std::unique_ptr<RigidBody>> const& bodies_;
-    std::vector<Polyline> const& outlines_;
+    std::vector<Surface> const& outlines_;
     std::unique_ptr<VtkSeries> particleSeries_; ///< Absent without particles.
     std::vector<VtkSeries> bodySeries_;
     std::string inputHash_;

@@ -47,7 +47,7 @@ bool asksFor(Dictionary const& functions, std::string const& type)
 Scene::Scene(CaseFolder const& caseFolder, Options const& options)
     : case_(caseFolder),
       dicts_(caseFolder),
-      gravity_(readGravity(caseFolder)),
+      gravity_(readGravity(caseFolder, dicts_.lattice.dimensions)),
       time_(std::make_unique<RunTime>(dicts_.control)),
       timeStep_(std::make_unique<TimeStep>(dicts_.control, dicts_.lattice)),
       particles_(dicts_.lattice)
@@ -93,9 +93,9 @@ void Scene::readStart(State const& start)
     startStep_ = time_->stepNumber();
     particles_.load(start);
     surfaces_ = loadSurfaces(start);
-    for (Polyline const& surface : surfaces_) surfaceNames_.push_back(surface.name());
+    for (Surface const& surface : surfaces_) surfaceNames_.push_back(surface.name());
     wallOf_ = loadWallOf(start, static_cast<std::size_t>(particles_.boundary().size()), surfaces_.size());
-    if (dicts_.bodies) bodies_ = readBodies(*dicts_.bodies, start, dicts_.lattice);
+    if (dicts_.bodies) bodies_ = readBodies(*dicts_.bodies, start, {dicts_.lattice, case_.root()});
     for (auto const& body : bodies_) SolidStage::requireFinite(*body);
     for (auto const& body : bodies_)
     {
@@ -121,7 +121,7 @@ void Scene::buildFluid()
     setup.largestDt = timeStep_->largest();
     fluid_ = std::make_unique<FluidStage>(particles_, surfaces_, setup, ledger_);
     if (!asksFor(dicts_.control.subDictOrEmpty("functions"), "momentumBudget")) return;
-    for (Polyline const& surface : surfaces_) fixedSurfaces_.emplace_back(surface, dicts_.lattice, -1);
+    for (Surface const& surface : surfaces_) fixedSurfaces_.emplace_back(surface, dicts_.lattice, -1);
     wallImpulse_ = &ledger_.impulse("impulse/walls");
     gravityImpulse_ = &ledger_.impulse("impulse/gravityOnFluid");
 }
@@ -135,9 +135,9 @@ void Scene::buildSolids()
     {
         std::vector<ContactShape> shapes;
         for (std::size_t k = 0; k < bodies_.size(); ++k)
-            shapes.push_back(discRadii_[k] > 0 ? ContactShape::disc(discRadii_[k]) : ContactShape::polygon(outlines_[k]));
-        contacts =
-            std::make_unique<ContactModel>(*dicts_.contact, dicts_.lattice.spacing, dicts_.lattice.thickness, surfaces_, pointers, shapes);
+            shapes.push_back(discRadii_[k] > 0 ? ContactShape::disc(discRadii_[k]) : ContactShape::polygon(outlines_[k].line()));
+        contacts = std::make_unique<ContactModel>(*dicts_.contact, dicts_.lattice.spacing, dicts_.lattice.thickness, linesOf(surfaces_),
+                                                  pointers, shapes);
     }
     std::vector<FluidBodyCoupling> couplings;
     if (fluid_)

@@ -120,11 +120,11 @@ private:
     std::unique_ptr<TimeStep> timeStep_;
     Ledger ledger_;
     ParticleSet particles_;
-    std::vector<Polyline> surfaces_;
+    std::vector<Surface> surfaces_;
     std::vector<std::string> surfaceNames_;
     Field<int> wallOf_;
     std::vector<std::unique_ptr<RigidBody>> bodies_;
-    std::vector<Polyline> outlines_;
+    std::vector<Surface> outlines_;
     std::vector<Real> discRadii_; ///< 0 for bodies that are no discs [m].
     std::unique_ptr<FluidStage> fluid_;
     std::unique_ptr<SolidStage> solids_;

@@ -42,10 +42,11 @@ SceneDefinition readSceneDefinition(CaseFolder const& caseFolder, std::filesyste
     scene.lattice = readLattice(particleProperties);
     scene.kernelRadius = largestKernelRadius(caseFolder);
     scene.periodic = readPeriodicBox(caseFolder);
-    scene.gravity = readGravity(caseFolder);
+    scene.gravity = readGravity(caseFolder, scene.lattice.dimensions);
 
+    GeometryContext const geometry{scene.lattice, caseFolder.root()};
     Dictionary const dict = caseFolder.read(dictionary);
-    scene.walls = readWalls(dict, scene.lattice, scene.kernelRadius);
+    scene.walls = readWalls(dict, geometry, scene.kernelRadius);
     scene.regions = readRegions(dict);
     scene.placement = LatticePlacement::read(dict);
     readHydrostatic(scene, dict);
@@ -54,13 +55,13 @@ SceneDefinition readSceneDefinition(CaseFolder const& caseFolder, std::filesyste
     if (!scene.regions.empty()) scene.density = readFluidDensity(caseFolder.read("constant/transportProperties"));
     if (auto const bodies = caseFolder.readIfPresent("constant/rigidBodyProperties"))
     {
-        scene.shapes = readBodyShapes(*bodies, scene.lattice);
-        scene.bodies = readBodies(*bodies, scene.lattice, scene.startTime);
+        scene.shapes = readBodyShapes(*bodies, geometry);
+        scene.bodies = readBodies(*bodies, geometry, scene.startTime);
     }
     checkNames(scene);
     require(!scene.walls.empty() || !scene.regions.empty() || !scene.bodies.empty(), dict.where(),
             "the case has neither walls nor fluid nor bodies", "geometry, regions, or constant/rigidBodyProperties");
-    requireRoom(estimateSize(scene), scene.lattice.spacing, particleProperties.where("spacing"), availableMemory());
+    requireRoom(estimateSize(scene), scene.lattice, particleProperties.where("spacing"), availableMemory());
     return scene;
 }
 

@@ -12,7 +12,8 @@ namespace mpsDem {
 
 namespace {
 
-constexpr int samplesAside = 128;
+constexpr int samplesAside2D = 128;
+constexpr int samplesAside3D = 32;
 constexpr Real toSet = 400;       ///< Bytes a particle: 300 measured from 190 000 to 740 000 particles, and vectors that double.
 constexpr Real toRun = 1600;      ///< Bytes a particle, measured from 50 000 to 190 000 with the standard schemes.
 constexpr Real mostNumbers = 2e9; ///< Particles are numbered by 32 bits.
@@ -21,54 +22,49 @@ std::string rounded(Real number) { return shortNumber(number, 3); }
 
 std::string inGigabytes(Real bytes) { return rounded(bytes / 1e9) + " GB"; }
 
-Real lengthOf(Polyline const& line)
+/// Length of a line times the thickness it stands for, area of triangles [m2].
+Real areaOf(Surface const& surface, Lattice const& lattice)
 {
+    if (!surface.flat()) return surface.triangles().area();
     Real length = 0;
-    for (auto const& segment : line.segments()) length += segment.length;
-    return length;
+    for (auto const& segment : surface.line().segments()) length += segment.length;
+    return length * lattice.thickness;
 }
 
 struct Box
 {
-    Vector low = Vector::Constant(std::numeric_limits<Real>::infinity()), high = -low;
+    Vector low, high;
 
-    Box(SegmentTree const& walls, Real margin)
-    {
-        for (SegmentTree::Item const& item : walls.items())
-            for (Vector const& r : {item.segment.a, item.segment.b})
-            {
-                low = low.cwiseMin(r);
-                high = high.cwiseMax(r);
-            }
-        low.array() -= margin;
-        high.array() += margin;
-    }
+    Box(SurfaceTree const& walls, Real margin) : low(walls.low().array() - margin), high(walls.high().array() + margin) {}
     [[nodiscard]] bool holds(Vector const& r) const { return (r.array() >= low.array()).all() && (r.array() <= high.array()).all(); }
 };
 
 } // namespace
 
-RegionVolume sampleRegions(std::vector<std::unique_ptr<Region>> const& regions, SegmentTree const& walls, Lattice const& lattice)
+RegionVolume sampleRegions(std::vector<std::unique_ptr<Region>> const& regions, SurfaceTree const& walls, Lattice const& lattice)
 {
     RegionVolume volume;
     Box const box(walls, lattice.spacing);
+    bool const deep = lattice.dimensions == 3;
+    int const aside = deep ? samplesAside3D : samplesAside2D, layers = deep ? aside : 1;
     for (std::size_t k = 0; k < regions.size(); ++k)
     {
-        Vector const low = regions[k]->low(), size = (regions[k]->high() - low) / samplesAside;
-        Real const share = size.x() * size.y() * lattice.thickness;
-        for (int j = 0; j < samplesAside; ++j)
-            for (int i = 0; i < samplesAside; ++i)
-            {
-                Vector const r = low + Vector((i + 0.5) * size.x(), (j + 0.5) * size.y(), 0);
-                auto const holds = [&](auto const& region) { return region->contains(r); };
-                bool const counted = std::any_of(regions.begin() + static_cast<std::ptrdiff_t>(k) + 1, regions.end(), holds);
-                if (counted || !holds(regions[k])) continue;
-                volume.all += share;
-                if (walls.distance(r) > 0)
-                    volume.free += share;
-                else if (!box.holds(r))
-                    volume.beyond += share;
-            }
+        Vector const low = regions[k]->low(), size = (regions[k]->high() - low) / aside;
+        Real const share = size.x() * size.y() * (deep ? size.z() : lattice.thickness);
+        auto const count = [&](Vector const& r) {
+            auto const holds = [&](auto const& region) { return region->contains(r); };
+            bool const counted = std::any_of(regions.begin() + static_cast<std::ptrdiff_t>(k) + 1, regions.end(), holds);
+            if (counted || !holds(regions[k])) return;
+            volume.all += share;
+            if (walls.distance(r) > 0)
+                volume.free += share;
+            else if (!box.holds(r))
+                volume.beyond += share;
+        };
+        for (int l = 0; l < layers; ++l)
+            for (int j = 0; j < aside; ++j)
+                for (int i = 0; i < aside; ++i)
+                    count({low.x() + (i + 0.5) * size.x(), low.y() + (j + 0.5) * size.y(), deep ? low.z() + (l + 0.5) * size.z() : 0});
     }
     return volume;
 }
@@ -81,26 +77,27 @@ SizeEstimate estimateSize(SceneDefinition const& definition)
 {
     SizeEstimate size;
     Lattice const& lattice = definition.lattice;
-    std::vector<Polyline> surfaces;
+    std::vector<Surface> surfaces;
+    Real const layer = lattice.particleVolume() / lattice.spacing; // area that a particle of a row stands for
     for (WallDefinition const& wall : definition.walls)
     {
         surfaces.push_back(wall.surface);
-        size.wall += lengthOf(wall.surface) / lattice.spacing * (1 + wall.ghostRows);
+        size.wall += areaOf(wall.surface, lattice) / layer * (1 + wall.ghostRows);
     }
-    size.fluid = sampleRegions(definition.regions, SegmentTree(surfaces), lattice).free / lattice.particleVolume();
+    size.fluid = sampleRegions(definition.regions, SurfaceTree(surfaces), lattice).free / lattice.particleVolume();
     if (definition.regions.empty()) return size;
     Real const width = (1 + ghostRowsFor(definition.kernelRadius)) * lattice.spacing;
     for (BodyShape const& shape : definition.shapes)
     {
-        // A ring of this width within a shape all of whose sides touch one circle of radius 2 A / P: triangle, square, disc.
-        Real const volume = shape.properties.volume, radius = 2 * volume / (lattice.thickness * lengthOf(shape.outline));
+        // A ring of this width within a shape all of whose sides touch one circle (sphere) of radius d V / A: triangle, square, disc.
+        Real const d = lattice.dimensions, volume = shape.properties.volume, radius = d * volume / areaOf(shape.outline, lattice);
         Real const core = std::max(Real(0), 1 - width / radius);
-        size.body += volume * (1 - core * core) / lattice.particleVolume();
+        size.body += volume * (1 - std::pow(core, d)) / lattice.particleVolume();
     }
     return size;
 }
 
-void requireRoom(SizeEstimate const& size, Real spacing, Location const& where, std::uint64_t available)
+void requireRoom(SizeEstimate const& size, Lattice const& lattice, Location const& where, std::uint64_t available)
 {
     Real const room = static_cast<Real>(available), most = std::min(room / toSet, mostNumbers);
     std::string const numbers = "about " + rounded(size.total()) + " particles (fluid " + rounded(size.fluid) + ", walls " +
@@ -108,7 +105,7 @@ void requireRoom(SizeEstimate const& size, Real spacing, Location const& where, 
     if (!(size.total() <= most))
         throw CaseError(ExitCode::Memory, where,
                         numbers + " need " + inGigabytes(size.bytesToSet()) + " of memory, " + inGigabytes(room) + " are free",
-                        "a spacing of about " + rounded(spacing * std::sqrt(size.total() / most)) +
+                        "a spacing of about " + rounded(lattice.spacing * std::pow(size.total() / most, 1.0 / lattice.dimensions)) +
                             " m or more, smaller regions, or a machine with more memory; at most " + rounded(mostNumbers) + " particles");
     if (size.bytesToRun() > room)
         warn(numbers + ": the run will need " + inGigabytes(size.bytesToRun()) + " of memory, " + inGigabytes(room) + " are free here");

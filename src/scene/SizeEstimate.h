@@ -4,12 +4,12 @@
 #include <memory>
 #include <vector>
 
-#include "boundaries/SegmentTree.h"
+#include "boundaries/SurfaceTree.h"
 #include "scene/InitialState.h"
 
 namespace mpsDem {
 
-/// What the regions of a case cover, sampled at 128 x 128 points a region (about 0.5 % of a region's box) [m3].
+/// What the regions of a case cover, sampled at 128 x 128 points a region (3-D: 32 x 32 x 32) (about 0.5 % of a region's box) [m3].
 struct RegionVolume
 {
     Real all = 0;    ///< Of the union of the regions.
@@ -17,7 +17,7 @@ struct RegionVolume
     Real beyond = 0; ///< Of it, behind walls and outside of the box that holds all walls: further out than a ramp or a step accounts for.
 };
 
-RegionVolume sampleRegions(std::vector<std::unique_ptr<Region>> const& regions, SegmentTree const& walls, Lattice const& lattice);
+RegionVolume sampleRegions(std::vector<std::unique_ptr<Region>> const& regions, SurfaceTree const& walls, Lattice const& lattice);
 
 /// Numbers of particles before any is laid out: fluid from the free volume of the regions, walls from their length and rows, bodies from
 /// the ring of their rows. Within some percent; fluid that bodies displace is counted.
@@ -34,9 +34,9 @@ struct SizeEstimate
 SizeEstimate estimateSize(SceneDefinition const& definition);
 
 /// Refuses a case that would not fit into the memory, with the numbers; warns where only the run would not.
-/// @param spacing    Place of the spacing in its dictionary.
+/// @param where      Place of the spacing in its dictionary.
 /// @param available  [bytes]
 /// @throw CaseError Memory
-void requireRoom(SizeEstimate const& size, Real spacing, Location const& where, std::uint64_t available);
+void requireRoom(SizeEstimate const& size, Lattice const& lattice, Location const& where, std::uint64_t available);
 
 } // namespace mpsDem

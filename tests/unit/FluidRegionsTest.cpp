@@ -19,10 +19,10 @@ std::vector<std::unique_ptr<Region>> regionsOf(std::string const& text)
     return readRegions(Dictionary::fromText("regions (" + text + ");"));
 }
 
-FluidFilling filled(std::string const& regions, std::string const& placement = "", std::vector<Polyline> const& walls = {},
-                    std::vector<Polyline> const& bodies = {})
+FluidFilling filled(std::string const& regions, std::string const& placement = "", std::vector<Surface> const& walls = {},
+                    std::vector<Surface> const& bodies = {})
 {
-    SegmentTree const wallTree(walls), bodyTree(bodies);
+    SurfaceTree const wallTree(walls), bodyTree(bodies);
     return fillRegions(regionsOf(regions), LatticePlacement::read(Dictionary::fromText("lattice {" + placement + "}")), lattice,
                        {wallTree, bodyTree});
 }
@@ -86,13 +86,13 @@ TEST(FluidRegions, FieldValuesKeepAllDigits)
 
 TEST(FluidRegions, BodiesAndWallsAreCarvedOut)
 {
-    std::vector<Polyline> const body{Polyline::outline("box", {{0.4, 0.4, 0}, {0.6, 0.4, 0}, {0.6, 0.6, 0}, {0.4, 0.6, 0}})};
+    std::vector<Surface> const body{Polyline::outline("box", {{0.4, 0.4, 0}, {0.6, 0.4, 0}, {0.6, 0.6, 0}, {0.4, 0.6, 0}})};
     auto const fluid = filled("boxToParticle { box (0 0 0) (1 1 0); }", "", {}, body);
     EXPECT_EQ(fluid.position.size(), 2500u - 100u);
     EXPECT_NEAR(fluid.volume, (1 - 0.04) * 0.5, 1e-12);
-    for (Vector const& r : fluid.position) EXPECT_GE(body[0].closest(r).distance, 0.45 * lattice.spacing);
+    for (Vector const& r : fluid.position) EXPECT_GE(body[0].line().closest(r).distance, 0.45 * lattice.spacing);
 
-    std::vector<Polyline> const ramp{Polyline("ramp", {{0, 1, 0}, {1, 0, 0}}, false, Polyline::FluidSide::Left)};
+    std::vector<Surface> const ramp{Polyline("ramp", {{0, 1, 0}, {1, 0, 0}}, false, Polyline::FluidSide::Left)};
     auto const above = filled("boxToParticle { box (0 0 0) (1 1 0); }", "", ramp);
     EXPECT_NEAR(above.volume, 0.25, 1e-4);
     EXPECT_EQ(above.position.size(), 49u * 50u / 2u); // lattice points above the diagonal
@@ -107,7 +107,7 @@ TEST(FluidRegions, OffsetShiftsTheLatticeByAFractionOfASpacing)
 
 TEST(FluidRegions, JitterIsTheSameEachTimeAndKeepsClearOfWalls)
 {
-    std::vector<Polyline> const floor{Polyline("floor", {{-1, 0, 0}, {2, 0, 0}}, false, Polyline::FluidSide::Left)};
+    std::vector<Surface> const floor{Polyline("floor", {{-1, 0, 0}, {2, 0, 0}}, false, Polyline::FluidSide::Left)};
     std::string const box = "boxToParticle { box (0 0 0) (1 1 0); }";
     auto const even = filled(box, "", floor), first = filled(box, "jitter 0.3; seed 7;", floor),
                again = filled(box, "jitter 0.3; seed 7;", floor);

@@ -71,13 +71,13 @@ TEST(SetParticles, StateComesBackWithSurfacesOutlinesAndBodies)
     ASSERT_EQ(surfaces.size(), 1u);
     EXPECT_EQ(surfaces[0].name(), "bed");
     EXPECT_EQ(surfaces[0].points(), made.scene.surfaces[0].points());
-    EXPECT_EQ(surfaces[0].segments()[1].normal, made.scene.surfaces[0].segments()[1].normal);
+    EXPECT_EQ(surfaces[0].line().segments()[1].normal, made.scene.surfaces[0].line().segments()[1].normal);
     EXPECT_EQ(loadWallOf(saved.state, static_cast<std::size_t>(particles.boundary().size()), 1), made.scene.wallOf);
 
-    auto const bodies = readBodies(folder.read("constant/rigidBodyProperties"), saved.state, made.definition.lattice);
+    auto const bodies = readBodies(folder.read("constant/rigidBodyProperties"), saved.state, {made.definition.lattice, folder.root()});
     BodyOutline const outline = loadOutline(saved.state, "slide");
     EXPECT_EQ(outline.radius, 0);
-    Polyline const placed = outline.outline.moved(bodies[0]->rotation(), bodies[0]->centre());
+    Surface const placed = outline.outline.moved(bodies[0]->rotation(), bodies[0]->centre());
     EXPECT_NEAR((placed.points()[1] - Vector(0.6, 0.4, 0)).norm(), 0, 1e-12);
 
     PointCloudData const cloud = readPointCloud(testCase.root() / "0" / "particles.vtp");
@@ -89,17 +89,17 @@ TEST(SetParticles, StateComesBackWithSurfacesOutlinesAndBodies)
 TEST(SetParticles, NamesAndOrderOfManyWallsSurvive)
 {
     State state;
-    std::vector<Polyline> surfaces;
+    std::vector<Surface> surfaces;
     for (int k = 0; k < 12; ++k)
-        surfaces.emplace_back("wall" + std::to_string(11 - k), std::vector<Vector>{{0, 1.0 * k, 0}, {1, 1.0 * k, 0}}, false,
-                              k % 2 ? Polyline::FluidSide::Right : Polyline::FluidSide::Left);
+        surfaces.emplace_back(Polyline("wall" + std::to_string(11 - k), std::vector<Vector>{{0, 1.0 * k, 0}, {1, 1.0 * k, 0}}, false,
+                                       k % 2 ? Polyline::FluidSide::Right : Polyline::FluidSide::Left));
     saveSurfaces(state, surfaces);
     auto const back = loadSurfaces(state);
     ASSERT_EQ(back.size(), surfaces.size());
     for (std::size_t k = 0; k < back.size(); ++k)
     {
         EXPECT_EQ(back[k].name(), surfaces[k].name());
-        EXPECT_EQ(back[k].segments()[0].normal, surfaces[k].segments()[0].normal);
+        EXPECT_EQ(back[k].line().segments()[0].normal, surfaces[k].line().segments()[0].normal);
     }
 }
 
@@ -116,7 +116,7 @@ TEST(SetParticles, OrientationNamesTheBodyAxesWithoutTurningTheShape)
     for (int const i : particles.boundary())
         if (particles.body[static_cast<std::size_t>(i)] == 0)
         {
-            EXPECT_TRUE(made.scene.placed[0].encloses(particles.r[static_cast<std::size_t>(i)]));
+            EXPECT_TRUE(made.scene.placed[0].line().encloses(particles.r[static_cast<std::size_t>(i)]));
         }
 }
 
@@ -189,16 +189,16 @@ TEST(SetParticles, BoxesMayBeOpenAndCirclesLieOutside)
                              " pile { type searchableCylinder; point1 (1 0.5 0); point2 (1 0.5 1); radius 0.2; }"
                              " roof { type searchablePlate; origin (0 1 0); span (2 0 0); } }"
                              "walls ( { name basin; surface tank; } { surface pile; } { surface roof; side right; thickness 0.2; } );");
-    auto const walls = readWalls(dict, lattice, 2.1);
+    auto const walls = readWalls(dict, {lattice, {}}, 2.1);
     dict.requireAllRead();
     ASSERT_EQ(walls.size(), 3u);
     EXPECT_EQ(walls[0].surface.name(), "basin");
     EXPECT_EQ(walls[0].surface.points().size(), 3u); // bottom and right
     EXPECT_FALSE(walls[0].surface.closed());
-    EXPECT_EQ(walls[0].surface.segments()[0].normal, Vector(0, 1, 0));
-    EXPECT_EQ(walls[0].surface.segments()[1].normal, Vector(-1, 0, 0));
-    EXPECT_LT(walls[1].surface.closest({1, 0.5, 0}).distance, 0);
-    EXPECT_EQ(walls[2].surface.segments()[0].normal, Vector(0, -1, 0));
+    EXPECT_EQ(walls[0].surface.line().segments()[0].normal, Vector(0, 1, 0));
+    EXPECT_EQ(walls[0].surface.line().segments()[1].normal, Vector(-1, 0, 0));
+    EXPECT_LT(walls[1].surface.line().closest({1, 0.5, 0}).distance, 0);
+    EXPECT_EQ(walls[2].surface.line().segments()[0].normal, Vector(0, -1, 0));
     EXPECT_EQ(walls[2].ghostRows, 3);
     EXPECT_EQ(walls[0].ghostRows, 2);
 }
@@ -235,13 +235,13 @@ TEST(SetParticles, SpecimensOfTheDictionariesAreValid)
     EXPECT_EQ(lattice.thickness, 0.55);
 
     auto const dict = read("setParticlesDict");
-    EXPECT_EQ(readWalls(dict, lattice, 2.1).size(), 5u);
+    EXPECT_EQ(readWalls(dict, {lattice, {}}, 2.1).size(), 5u);
     EXPECT_EQ(readRegions(dict).size(), 4u);
     EXPECT_EQ(LatticePlacement::read(dict).jitter, 0);
     dict.ignore("hydrostatic");
     dict.requireAllRead();
 
-    auto const bodies = readBodies(read("rigidBodyProperties"), lattice, 0);
+    auto const bodies = readBodies(read("rigidBodyProperties"), {lattice, {}}, 0);
     ASSERT_EQ(bodies.size(), 1u);
     EXPECT_EQ(bodies[0]->mass(), 140);
 }

@@ -42,7 +42,7 @@ TEST(SizeEstimate, TakesEachPlaceOnceAndKnowsWhatLiesOutOfTheTank)
                    "geometry { bed { type polyline; points ((-0.2 1.2 0) (1 0 0) (2 0 0) (2 1.2 0)); } }\n"
                    "regions ( boxToParticle { box (0 0 0) (3 1 0); } boxToParticle { box (0 0 0) (1 1 0); } );\n");
     SceneDefinition const definition = definitionOf(testCase);
-    SegmentTree const walls(std::vector<Polyline>{definition.walls[0].surface});
+    SurfaceTree const walls({definition.walls[0].surface});
     RegionVolume const volume = sampleRegions(definition.regions, walls, definition.lattice);
     expectBelow("volume of the regions - 1.5 m3", volume.all - 1.5, 0.01);
     expectBelow("volume in front of the walls - 0.75 m3", volume.free - 0.75, 0.01);
@@ -53,10 +53,11 @@ TEST(SizeEstimate, WhatDoesNotFitIsRefusedWithTheNumbers)
 {
     SizeEstimate size;
     size.fluid = 1e6;
-    EXPECT_NO_THROW(requireRoom(size, 0.01, {}, 100'000'000'000));
+    Lattice const lattice{2, 0.01, 1};
+    EXPECT_NO_THROW(requireRoom(size, lattice, {}, 100'000'000'000));
     try
     {
-        requireRoom(size, 0.01, Location{"constant/particleProperties", 11, "spacing"}, 100'000'000);
+        requireRoom(size, lattice, Location{"constant/particleProperties", 11, "spacing"}, 100'000'000);
         FAIL() << "400 MB in 100 MB";
     }
     catch (CaseError const& error)
@@ -67,7 +68,7 @@ TEST(SizeEstimate, WhatDoesNotFitIsRefusedWithTheNumbers)
             EXPECT_NE(text.find(piece), std::string::npos) << piece << '\n' << text;
     }
     size.fluid = 1e12; // no memory makes up for numbers of 32 bits
-    EXPECT_THROW(requireRoom(size, 0.01, {}, std::uint64_t(1) << 60), CaseError);
+    EXPECT_THROW(requireRoom(size, lattice, {}, std::uint64_t(1) << 60), CaseError);
 }
 
 TEST(SizeEstimate, TheMachineHasSomeMemory)
