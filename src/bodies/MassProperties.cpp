@@ -35,6 +35,44 @@ AreaMoments areaMoments(std::vector<Vector> const& points, Vector const& origin)
     return sum;
 }
 
+/// Volume integrals of 1, r and r r^T over what a closed surface holds, r from `origin`.
+struct VolumeMoments
+{
+    Real volume = 0;
+    Vector first = Vector::Zero();
+    Tensor second = Tensor::Zero();
+};
+
+VolumeMoments volumeMoments(TriSurface const& surface, Vector const& origin)
+{
+    VolumeMoments sum;
+    for (TriSurface::Triangle const& t : surface.triangles())
+    {
+        Vector const a = surface.point(t, 0) - origin, b = surface.point(t, 1) - origin, c = surface.point(t, 2) - origin;
+        Vector const s = a + b + c;
+        Real const d = a.dot(b.cross(c));
+        sum.volume += d / 6;
+        sum.first += d / 24 * s;
+        sum.second += d / 120 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
+    }
+    return sum;
+}
+
+std::string place(Vector const& r) { return "(" + shortNumber(r.x()) + " " + shortNumber(r.y()) + " " + shortNumber(r.z()) + ")"; }
+
+void requireSolid(TriSurface const& surface)
+{
+    std::string const self = "surface \"" + surface.name() + "\" of a body ";
+    for (TriSurface::Edge const& edge : surface.edges())
+        if (edge.rim())
+            throw CaseError(ExitCode::BadInput,
+                            self + "is open: it has a rim at " + place(surface.points()[static_cast<std::size_t>(edge.a)]) + " m",
+                            "a closed surface");
+    Real const volume = surface.volume();
+    require(std::abs(volume) > 1e-12 * std::pow(surface.area(), 1.5), {}, self + "has no volume", "a surface with an inside");
+    require(volume > 0, {}, self + "has its normals on the inside", "normals outwards");
+}
+
 void requirePositive(Real value, char const* what)
 {
     require(std::isfinite(value) && value > 0, {}, std::string(what) + " of a body is " + shortNumber(value), "a positive number");
@@ -81,6 +119,52 @@ MassProperties MassProperties::fromCylinder2D(Vector const& centre, Real radius,
     result.centreOfMass = centre;
     Real const across = result.mass * (3 * radius * radius + thickness * thickness) / 12;
     result.inertia = Vector(across, across, result.mass * radius * radius / 2).asDiagonal();
+    return result;
+}
+
+MassProperties MassProperties::fromTriSurface(TriSurface const& surface, Real density)
+{
+    requirePositive(density, "density");
+    requireSolid(surface);
+    Vector const middle = (surface.low() + surface.high()) / 2;
+    VolumeMoments const outer = volumeMoments(surface, middle);
+    Vector const toCentre = outer.first / outer.volume;
+    VolumeMoments const central = volumeMoments(surface, middle + toCentre);
+
+    MassProperties result;
+    result.volume = central.volume;
+    result.mass = density * result.volume;
+    result.centreOfMass = middle + toCentre;
+    result.inertia = density * (central.second.trace() * Tensor::Identity() - central.second);
+    return result;
+}
+
+MassProperties MassProperties::fromSphere(Vector const& centre, Real radius, Real density)
+{
+    requirePositive(radius, "radius");
+    requirePositive(density, "density");
+    MassProperties result;
+    result.volume = 4 * std::numbers::pi / 3 * radius * radius * radius;
+    result.mass = density * result.volume;
+    result.centreOfMass = centre;
+    result.inertia = 0.4 * result.mass * radius * radius * Tensor::Identity();
+    return result;
+}
+
+MassProperties MassProperties::fromCylinder(Vector const& end1, Vector const& end2, Real radius, Real density)
+{
+    requirePositive(radius, "radius");
+    requirePositive(density, "density");
+    Real const length = (end2 - end1).norm();
+    requirePositive(length, "length");
+    Vector const axis = (end2 - end1) / length;
+    MassProperties result;
+    result.volume = std::numbers::pi * radius * radius * length;
+    result.mass = density * result.volume;
+    result.centreOfMass = (end1 + end2) / 2;
+    Real const across = result.mass * (3 * radius * radius + length * length) / 12;
+    Real const along = result.mass * radius * radius / 2;
+    result.inertia = across * Tensor::Identity() + (along - across) * (axis * axis.transpose());
     return result;
 }
 

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -5,6 +6,7 @@
 
 #include "bodies/MassProperties.h"
 #include "core/Errors.h"
+#include "support/Measured.h"
 
 namespace mpsDem {
 namespace {
@@ -95,6 +97,106 @@ TEST(MassProperties, FinePolygonTendsToTheDisc)
     }
     MassProperties const body = MassProperties::fromPolygon(Polyline::outline("polygon", points), 1, 1);
     EXPECT_NEAR(body.inertia(2, 2) / body.mass, (2 + std::cos(2 * std::numbers::pi / n)) / 6, 1e-14);
+}
+
+TEST(MassProperties, BoxOfTrianglesAgreesWithClosedForms)
+{
+    MassProperties const body = MassProperties::fromTriSurface(TriSurface::box("box", {1, 2, 3}, {2, 4, 6}), 500);
+    EXPECT_NEAR(body.volume, 6, 1e-13);
+    EXPECT_NEAR(body.mass, 3000, 1e-10);
+    EXPECT_NEAR((body.centreOfMass - Vector(1.5, 3, 4.5)).norm(), 0, 1e-14);
+    Tensor const exact = (3000.0 / 12 * Vector(4 + 9, 1 + 9, 1 + 4)).asDiagonal();
+    EXPECT_NEAR((body.inertia - exact).norm(), 0, 1e-10);
+}
+
+TEST(MassProperties, PrismOfTrianglesIsThatOverItsPolygon)
+{
+    std::vector<Vector> const corners = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 0.4, 0}, {0, 2, 0}};
+    MassProperties const flat = MassProperties::fromPolygon(Polyline::outline("outline", corners), 0.55, 1000);
+    MassProperties const solid = MassProperties::fromTriSurface(TriSurface::prism("prism", corners, -0.275, 0.275), 1000);
+    test::expectBelow("prism, mass", solid.mass / flat.mass - 1, 1e-14);
+    test::expectBelow("prism, centre", (solid.centreOfMass - flat.centreOfMass).norm(), 1e-15);
+    test::expectBelow("prism, inertia", (solid.inertia - flat.inertia).norm() / flat.inertia.norm(), 1e-14);
+    EXPECT_EQ(solid.inertia, solid.inertia.transpose());
+}
+
+TEST(MassProperties, MovedAndTurnedTrianglesKeepTheirInertiaFarFromTheOrigin)
+{
+    std::vector<Vector> const corners = {{0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}};
+    TriSurface const wedgeSkin = TriSurface::prism("wedge", corners, 0, 0.55);
+    Tensor const rotation = Eigen::AngleAxisd(0.7, Vector(1, 2, -1).normalized()).toRotationMatrix();
+    Vector const away(5e5, 40, -4.5e6); // as maps count
+    MassProperties const here = MassProperties::fromTriSurface(wedgeSkin, 1000);
+    MassProperties const turned = MassProperties::fromTriSurface(wedgeSkin.moved(rotation, Vector::Zero()), 1000);
+    MassProperties const there = MassProperties::fromTriSurface(wedgeSkin.moved(rotation, away), 1000);
+    Tensor const exact = rotation * here.inertia * rotation.transpose();
+    test::expectBelow("turned, inertia", (turned.inertia - exact).norm() / exact.norm(), 1e-14);
+    test::expectBelow("turned, centre", (turned.centreOfMass - rotation * here.centreOfMass).norm(), 1e-15);
+    // The points themselves carry round-off of half of 2^-30 m = 9e-10 m there, in a body of 0.5 m.
+    test::expectBelow("4500 km away, inertia", (there.inertia - exact).norm() / exact.norm(), 1e-8);
+    test::expectBelow("4500 km away, mass", there.mass / here.mass - 1, 1e-8);
+    test::expectBelow("4500 km away, centre [m]", (there.centreOfMass - away - turned.centreOfMass).norm(), 2e-9);
+}
+
+TEST(MassProperties, SphereOfTrianglesTendsToTheBallWithSecondOrder)
+{
+    MassProperties const ball = MassProperties::fromSphere({1, 2, 3}, 0.5, 2000);
+    Real const m = 2000 * 4 * std::numbers::pi / 3 * 0.125;
+    EXPECT_NEAR(ball.mass, m, 1e-12 * m);
+    EXPECT_NEAR(ball.inertia(1, 1), 0.4 * m * 0.25, 1e-12);
+    EXPECT_EQ(ball.inertia(0, 1), 0);
+    std::array<Real, 3> error{};
+    for (int k = 0; k < 3; ++k)
+    {
+        auto const body = MassProperties::fromTriSurface(TriSurface::sphere("ball", {1, 2, 3}, 0.5, 0.2 / (1 << k)), 2000);
+        error[static_cast<std::size_t>(k)] = (body.inertia - ball.inertia).norm() / ball.inertia.norm();
+        EXPECT_NEAR((body.centreOfMass - Vector(1, 2, 3)).norm(), 0, 1e-14);
+    }
+    test::expectBetween("sphere, order of the inertia", std::log2(error[1] / error[2]), 1.95, 2.05);
+    test::expectBelow("sphere, finest inertia", error[2], 5e-3);
+}
+
+TEST(MassProperties, CylinderAlongAnyAxis)
+{
+    Vector const end1(1, 0, 0), end2(1, 2, 1);
+    MassProperties const rod = MassProperties::fromCylinder(end1, end2, 0.5, 100);
+    Real const h = std::sqrt(5.0), m = 100 * std::numbers::pi * 0.25 * h;
+    Vector const axis = (end2 - end1) / h, across = Vector(1, 0, 0);
+    EXPECT_NEAR(rod.mass, m, 1e-12 * m);
+    EXPECT_NEAR(axis.dot(rod.inertia * axis), m * 0.25 / 2, 1e-12 * m);
+    EXPECT_NEAR(across.dot(rod.inertia * across), m * (3 * 0.25 + 5) / 12, 1e-12 * m);
+    EXPECT_NEAR((rod.inertia * axis).cross(axis).norm(), 0, 1e-12 * m);
+    EXPECT_EQ(rod.centreOfMass, Vector(1, 1, 0.5));
+    MassProperties const disc = MassProperties::fromCylinder2D({0, 0, 0}, 0.2, 0.5, 2000);
+    MassProperties const same = MassProperties::fromCylinder({0, 0, -0.25}, {0, 0, 0.25}, 0.2, 2000);
+    EXPECT_NEAR((same.inertia - disc.inertia).norm(), 0, 1e-13);
+    auto const skin = MassProperties::fromTriSurface(TriSurface::cylinder("rod", end1, end2, 0.5, 256), 100);
+    test::expectBelow("cylinder of 256 sides, inertia", (skin.inertia - rod.inertia).norm() / rod.inertia.norm(), 3e-4);
+}
+
+TEST(MassProperties, SurfacesWithoutAnInsideAreRefused)
+{
+    auto const messageOf = [](TriSurface const& surface) -> std::string {
+        try
+        {
+            static_cast<void>(MassProperties::fromTriSurface(surface, 1000));
+        }
+        catch (CaseError const& error)
+        {
+            EXPECT_EQ(error.code(), ExitCode::BadInput);
+            return error.what();
+        }
+        return {};
+    };
+    TriSurface const box = TriSurface::box("box", {0, 0, 0}, {1, 1, 1});
+    EXPECT_NE(messageOf(TriSurface::box("tank", {0, 0, 0}, {1, 1, 1}, {true})).find("open: it has a rim at"), std::string::npos);
+    EXPECT_NE(messageOf(box.flipped()).find("normals on the inside"), std::string::npos);
+    std::vector<Vector> const sheet{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    EXPECT_NE(messageOf(TriSurface("sheet", sheet, {{0, 1, 2}, {0, 2, 1}})).find("no volume"), std::string::npos);
+    EXPECT_THROW((void)MassProperties::fromTriSurface(box, 0), CaseError);
+    EXPECT_THROW((void)MassProperties::fromTriSurface(box, std::nan("")), CaseError);
+    EXPECT_THROW((void)MassProperties::fromSphere({0, 0, 0}, 0, 1), CaseError);
+    EXPECT_THROW((void)MassProperties::fromCylinder({0, 0, 0}, {0, 0, 0}, 1, 1), CaseError);
 }
 
 TEST(MassProperties, WrongInputIsRefused)
