@@ -60,24 +60,37 @@ std::vector<Vector> raised(std::vector<Vector> const& chain, Real low, Real high
 
 } // namespace
 
-TriSurface TriSurface::prism(std::string name, std::vector<Vector> const& corners, Real low, Real high)
+namespace {
+
+/// Prism over the polygon, or all of it but the side from the last to the first corner.
+TriSurface prismOver(std::string name, std::vector<Vector> ring, Real low, Real high, bool lastSide)
 {
-    require(low < high, {}, "prism \"" + name + "\" from z = " + shortNumber(low) + " to " + shortNumber(high) + " m", "low < high");
-    std::vector<Vector> ring = corners;
+    require(low < high, {}, "surface \"" + name + "\" from z = " + shortNumber(low) + " to " + shortNumber(high) + " m", "low < high");
     Polyline const outline = Polyline::outline(name, ring); // refuses what is no polygon
     Real twice = 0;
-    for (std::size_t k = 0; k < ring.size(); ++k)
-        twice += ring[k].x() * ring[(k + 1) % ring.size()].y() - ring[(k + 1) % ring.size()].x() * ring[k].y();
-    if (twice < 0) std::reverse(ring.begin(), ring.end());
+    for (std::size_t k = 0; k < ring.size(); ++k) twice += cross2(ring[0], ring[k], ring[(k + 1) % ring.size()]);
+    if (twice < 0) std::reverse(ring.begin(), ring.end()); // the side from the last to the first corner stays that
     int const count = static_cast<int>(ring.size());
-    std::vector<Corners> triangles;
-    for (Corners const& t : earClipped(ring))
+    std::vector<TriSurface::Corners> triangles;
+    for (TriSurface::Corners const& t : earClipped(ring))
     {
         triangles.push_back({t[0], t[2], t[1]});
         triangles.push_back({t[0] + count, t[1] + count, t[2] + count});
     }
-    for (int k = 0; k < count; ++k) addStrip(triangles, k, (k + 1) % count, count);
+    for (int k = 0; k < count - (lastSide ? 0 : 1); ++k) addStrip(triangles, k, (k + 1) % count, count);
     return TriSurface(std::move(name), raised(ring, low, high), triangles);
+}
+
+} // namespace
+
+TriSurface TriSurface::prism(std::string name, std::vector<Vector> const& corners, Real low, Real high)
+{
+    return prismOver(std::move(name), corners, low, high, true);
+}
+
+TriSurface TriSurface::channel(std::string name, std::vector<Vector> const& chain, Real low, Real high)
+{
+    return prismOver(std::move(name), chain, low, high, false).flipped();
 }
 
 TriSurface TriSurface::extruded(std::string name, std::vector<Vector> const& chain, bool closed, Real low, Real high, bool left)

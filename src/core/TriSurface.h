@@ -75,6 +75,10 @@ public:
     static TriSurface prism(std::string name, std::vector<Vector> const& corners, Real low, Real high);
     /// Strips over a chain of the x-y plane, between two heights z. @param left  The fluid is on the left when one walks along the chain.
     static TriSurface extruded(std::string name, std::vector<Vector> const& chain, bool closed, Real low, Real high, bool left);
+    /// Strips over an open chain and the two walls at the ends, plane polygons that the straight line from the last to the first corner closes;
+    /// the fluid lies between: a channel, open at that line.
+    /// @throw CaseError BadInput as for prism.
+    static TriSurface channel(std::string name, std::vector<Vector> const& chain, Real low, Real high);
     /// Sides of a box, normals outwards. @param open  Sides left out, in the order -x +x -y +y -z +z.
     static TriSurface box(std::string name, Vector const& low, Vector const& high, std::array<bool, 6> const& open = {});
     /// Closed circular cylinder of `sides` sides, normals outwards.

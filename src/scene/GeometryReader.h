@@ -28,6 +28,7 @@ struct WallDefinition
 /// |--------------------|----------------|---------------------------------------------------------------|------|---------|
 /// | polyline           | points         | corners in order, in the x-y plane                            | m    | none    |
 /// |                    | zRange         | 3-D: low and high z of the strips that stand over it          | m    | none    |
+/// |                    | sideWalls      | 3-D: adds the walls at both ends of zRange, closed by the line from the last to the first point; the fluid is inside | - | false |
 /// |                    | closed         | joins the last to the first                                   | -    | false   |
 /// |                    | fluidSide      | left or right when one walks along the points                 | -    | left    |
 /// | searchableBox      | min, max       | opposite corners                                              | m    | none    |

@@ -40,8 +40,16 @@ std::unique_ptr<SurfaceShape> makePolyline(Dictionary const& dict, GeometryConte
     auto const points = readPoints(dict, "points");
     bool const closed = dict.getOr<bool>("closed", false);
     auto const [low, high] = readZRange(dict);
+    if (dict.getOr<bool>("sideWalls", false))
+    {
+        require(!closed, dict.where("sideWalls"), "side walls of a closed polyline", "sideWalls no, or closed no");
+        return shapeOf(
+            dict, [=, low = low, high = high](std::string const& name) { return TriSurface::channel(name, points, low, high); }, {"inside"},
+            "inside");
+    }
     return shapeOf(
-        dict, [=](std::string const& name) { return TriSurface::extruded(name, points, closed, low, high, true); }, alongSides, "left");
+        dict, [=, low = low, high = high](std::string const& name) { return TriSurface::extruded(name, points, closed, low, high, true); },
+        alongSides, "left");
 }
 
 std::unique_ptr<SurfaceShape> makeBox(Dictionary const& dict, GeometryContext const&)

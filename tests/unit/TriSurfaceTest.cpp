@@ -65,6 +65,23 @@ TEST(TriSurface, stripsHaveTheFluidOnTheSideThatIsAskedFor)
     EXPECT_NEAR(TriSurface::extruded("roof", {{0, 0, 0}, {1, 0, 0}}, false, 0, 3, false).triangles()[0].normal.y(), -1, 1e-12);
 }
 
+TEST(TriSurface, channelHoldsTheFluidBetweenItsSideWallsWhateverTheSenseOfItsPoints)
+{
+    std::vector<Vector> chain{{-0.6, 1.6, 0}, {1, 0, 0}, {6, 0, 0}, {6, 1.6, 0}};
+    Real const side = 1.6 * (5 + 6.6) / 2;
+    for (int turn = 0; turn < 2; ++turn)
+    {
+        TriSurface const channel = TriSurface::channel("basin", chain, 0, 0.5);
+        EXPECT_EQ(channel.patches(), 5); // ramp, floor, end, two sides
+        EXPECT_NEAR(channel.area(), 2 * side + 0.5 * (1.6 * std::sqrt(2) + 5 + 1.6), 1e-12);
+        for (auto const& t : channel.triangles()) EXPECT_GT(t.normal.dot(Vector(3, 0.8, 0.25) - channel.centre(t)), 0);
+        int rims = 0;
+        for (auto const& edge : channel.edges()) rims += edge.rim() ? 1 : 0;
+        EXPECT_EQ(rims, 4) << "open above";
+        std::reverse(chain.begin(), chain.end());
+    }
+}
+
 TEST(TriSurface, cylinderAndSphereApproachTheirVolumes)
 {
     TriSurface const cylinder = TriSurface::cylinder("rod", {1, 0, 0}, {1, 2, 1}, 0.5, 64);
