@@ -8,7 +8,7 @@
 
 namespace mpsDem {
 
-/// Nearest place on a set of triangle surfaces (VTK's cell locator), with a sign: positive on the fluid side.
+/// Nearest place on a set of triangle surfaces, with a sign: positive on the fluid side.
 ///
 /// Several walls of one case behave like one. The sign comes from the angle-weighted normal of the nearest face, edge or corner, over all
 /// surfaces that have the point of it in common (within 1e-9 of the extent), so that a floor and a wall given as two surfaces join as one
