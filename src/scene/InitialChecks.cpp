@@ -135,6 +135,16 @@ std::vector<Real> nearestDistances(std::span<Vector const> points, Range const& 
     return result;
 }
 
+void checkDimensions(ParticleSet const& particles, std::vector<Surface> const& surfaces)
+{
+    auto const inPlane = [](Vector const& r) { return !(r.z() != 0); };
+    bool const flat = std::all_of(particles.r.begin(), particles.r.end(), inPlane) &&
+                      std::all_of(surfaces.begin(), surfaces.end(), [](Surface const& surface) { return surface.flat(); });
+    bool const empty = particles.size() == 0 && surfaces.empty();
+    require(empty || flat == (particles.lattice().dimensions == 2), Location{"constant/particleProperties", 0, "dimensions"},
+            "the particles are those of a " + std::string(flat ? "2-D" : "3-D") + " case", "run setParticles again");
+}
+
 void checkSpacing(ParticleSet const& particles)
 {
     constexpr int fewest = 10;

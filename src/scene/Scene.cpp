@@ -54,6 +54,7 @@ Scene::Scene(CaseFolder const& caseFolder, Options const& options)
 {
     State const start = findStart(case_, *time_);
     readStart(start);
+    checkDimensions(particles_, surfaces_);
     checkSpacing(particles_);
     if (dicts_.transport) buildFluid();
     if (!bodies_.empty()) buildSolids();
