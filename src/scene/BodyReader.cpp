@@ -99,6 +99,13 @@ std::unique_ptr<Shape> makeSphere(Dictionary const& dict, GeometryContext const&
     return shape;
 }
 
+std::unique_ptr<Shape> makeSurfaceFile(Dictionary const& dict, GeometryContext const& context)
+{
+    auto shape = std::make_unique<Shape>();
+    shape->make = [surface = readSurfaceFile(dict, context, true)](std::string const& name) { return Surface(surface.renamed(name)); };
+    return shape;
+}
+
 BodyShapeRegistry const& bodyShapes(int dimensions)
 {
     static auto const make = [](bool flat) {
@@ -107,6 +114,7 @@ BodyShapeRegistry const& bodyShapes(int dimensions)
         made.add("box", makeBox);
         made.add("cylinder", flat ? makeDisc : makeCylinder);
         if (!flat) made.add("sphere", makeSphere);
+        if (!flat) made.add("triSurfaceMesh", makeSurfaceFile);
         return made;
     };
     static BodyShapeRegistry const flat = make(true), spatial = make(false);

@@ -33,6 +33,8 @@ struct BodyShape
 /// | cylinder   | centre radius        | 2-D: a disc, its axis along z          | m    | none    |
 /// |            | point1 point2 radius | 3-D: ends of the axis                  | m    | none    |
 /// | sphere     | centre radius        | 3-D                                    | m    | none    |
+/// | triSurfaceMesh | file             | 3-D: closed STL in constant/triSurface | -    | none    |
+/// |            | scale, translate     | as for walls                           | -, m | 1, (0 0 0) |
 ///
 /// The shape stands where the body is at the start. @throw CaseError for an unknown type (with the nearest), a polygon that crosses itself
 /// or has no area, a box without size.

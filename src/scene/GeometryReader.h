@@ -42,6 +42,10 @@ struct WallDefinition
 /// |                    | fluidSide      | inside or outside                                             | -    | outside |
 /// | searchableSphere   | centre, radius | a sphere; 2-D: a disc                                         | m    | none    |
 /// |                    | fluidSide      | inside or outside                                             | -    | outside |
+/// | triSurfaceMesh     | file           | 3-D: STL file in constant/triSurface                          | -    | none    |
+/// |                    | scale          | metres per unit of the file                                   | -    | 1       |
+/// |                    | translate      | moved by, after scaling                                       | m    | (0 0 0) |
+/// |                    | fluidSide      | normal or reverse: that of the facets' normals; closed: outside or inside | - | normal, outside |
 ///
 /// walls: a list of `{ name; surface; thickness; side; }`. Without `walls` each surface is a wall.
 ///
