@@ -27,13 +27,25 @@ public:
     /// Cell of a position; positions outside are moved to the border cells.
     [[nodiscard]] int cellOf(Vector const& r) const;
     [[nodiscard]] int cellCount() const { return count_[0] * count_[1] * count_[2]; }
+    /// Number of cells that so many points may ever ask for.
+    [[nodiscard]] std::size_t mostCells() const { return start_.capacity(); }
 
     /// Positions in the order of `order()`.
     [[nodiscard]] Field<Vector> const& sortedPositions() const { return sorted_; }
 
+    /// Cell of point i.
+    [[nodiscard]] int cellOfPoint(int i) const { return cell_[static_cast<std::size_t>(i)]; }
+
     /// Calls visit(first, last) for each run of consecutive slots in `order()` that may hold points within `reach` of r.
     template <class Visit>
     void forEachRun(Vector const& r, Real reach, Visit visit) const
+    {
+        forEachCellRun(r, reach, [&](int first, int last) { visit(start_[first], start_[last]); });
+    }
+
+    /// Calls visit(first, last) for each run of consecutive cells that may hold points within `reach` of r.
+    template <class Visit>
+    void forEachCellRun(Vector const& r, Real reach, Visit visit) const
     {
         std::array<int, 3> low{}, high{};
         for (int d = 0; d < 3; ++d)
@@ -45,7 +57,7 @@ public:
             for (int j = low[1]; j <= high[1]; ++j)
             {
                 int const row = (k * count_[1] + j) * count_[0];
-                visit(start_[row + low[0]], start_[row + high[0] + 1]);
+                visit(row + low[0], row + high[0] + 1);
             }
     }
 

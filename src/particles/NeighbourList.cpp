@@ -11,13 +11,28 @@ void NeighbourList::update(ParticleSet const& particles)
     int const owned = particles.owned().last;
     start_.resize(static_cast<std::size_t>(owned) + 1);
     start_[0] = 0;
+    markFluidCells(particles);
     for (int i : particles.owned()) start_[i + 1] = wanted(particles, i) ? appendRow(particles, i, start_[i]) : start_[i];
     computeWeights();
+}
+
+void NeighbourList::markFluidCells(ParticleSet const& particles)
+{
+    fluidInCell_.reserve(static_cast<std::size_t>(grid_.mostCells()));
+    fluidInCell_.assign(static_cast<std::size_t>(grid_.cellCount()), 0);
+    for (int const i : particles.fluid()) fluidInCell_[static_cast<std::size_t>(grid_.cellOfPoint(i))] = 1;
+    for (int const i : particles.halo())
+        if (particles.isFluid(i)) fluidInCell_[static_cast<std::size_t>(grid_.cellOfPoint(i))] = 1;
 }
 
 bool NeighbourList::wanted(ParticleSet const& particles, int i) const
 {
     if (particles.isFluid(i) || (allWallRows_ && particles.type[i] == ParticleType::Wall)) return true;
+    bool possible = false;
+    grid_.forEachCellRun(particles.r[i], radii_.largest(), [&](int first, int last) {
+        for (int cell = first; cell < last; ++cell) possible = possible || fluidInCell_[static_cast<std::size_t>(cell)] != 0;
+    });
+    if (!possible) return false;
     Real const reach2 = radii_.largest() * radii_.largest();
     bool found = false;
     grid_.forEachRun(particles.r[i], radii_.largest(), [&](int first, int last) {

@@ -45,6 +45,7 @@ public:
 
 private:
     [[nodiscard]] bool separate() const { return radii_.gradient != radii_.laplacian; }
+    void markFluidCells(ParticleSet const& particles);
     [[nodiscard]] bool wanted(ParticleSet const& particles, int i) const;
     /// Writes neighbours and r^2 of particle i from `end` on. @return where they end.
     int appendRow(ParticleSet const& particles, int i, int end);
@@ -54,6 +55,7 @@ private:
     Radii radii_;
     bool allWallRows_;
     CellGrid grid_;
+    Field<std::uint8_t> fluidInCell_; ///< For each cell of the grid: dry walls are found so without a look at their neighbours.
     Field<int> start_, index_; ///< index and weights have room behind the last pair.
     Field<Real> gradientWeight_, laplacianWeight_;
 };
