@@ -101,7 +101,9 @@ public:
     /// Projection (6 x 6) on the free directions, global axes; zero when locked or under prescribed motion.
     [[nodiscard]] Matrix6 freeProjection() const;
 
-    void save(State& state) const; ///< Blocks "body/<name>/...".
+    /// Blocks "body/<name>/...". Mass, inertia ("massProperties") and "referenceCentre" are those of the dictionary: saved to be compared,
+    /// never loaded.
+    void save(State& state) const;
     void load(State const& state);
 
     /// What a fluid step changes: pose; motion; added mass; loads and their means; release and latch. For a step that is taken again.

@@ -34,6 +34,10 @@ Load loadedLoad(State const& state, std::string const& name)
 void RigidBody::save(State& state) const
 {
     std::string const root = "body/" + name_ + "/";
+    State::Reals properties = {mass_.mass};
+    properties.insert(properties.end(), mass_.inertia.data(), mass_.inertia.data() + 9);
+    state.set(root + "massProperties", std::span<Real const>(properties));
+    state.set(root + "referenceCentre", mass_.centreOfMass);
     state.set(root + "centre", centre_);
     std::array<Real, 4> const q = {orientation_.w(), orientation_.x(), orientation_.y(), orientation_.z()};
     state.set(root + "orientation", std::span<Real const>(q));

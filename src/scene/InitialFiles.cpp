@@ -8,6 +8,7 @@
 #include "io/VtkFile.h"
 #include "scene/InputFingerprint.h"
 #include "scene/Output.h"
+#include "scene/StartChecks.h"
 
 namespace mpsDem {
 
@@ -65,7 +66,9 @@ void writeInitialFiles(CaseFolder const& caseFolder, SceneDefinition const& defi
     bool const isNew = !std::filesystem::exists(folder);
     try
     {
-        writeInitialState(folder, scene.state(definition), info);
+        State state = scene.state(definition);
+        saveKernelRadius(state, definition.kernelRadius);
+        writeInitialState(folder, state, info);
         if (scene.particles.size() > 0) writeParticles(folder / "particles.vtp", scene, definition.startTime);
         for (Surface const& outline : scene.placed) writeOutline(folder / (outline.name() + ".vtp"), outline, definition.startTime);
         atomicWrite(folder / "report.txt", report);

@@ -6,13 +6,14 @@
 #include "scene/BodyReader.h"
 #include "scene/InitialChecks.h"
 #include "scene/InputFingerprint.h"
+#include "scene/StartChecks.h"
 
 namespace mpsDem {
 
 namespace {
 
 /// The state that a run starts from: `latestTime` the newest valid checkpoint, else (and for startTime and firstTime) the initial one.
-State findStart(CaseFolder const& caseFolder, RunTime const& time)
+State findStart(CaseFolder const& caseFolder, RunTime const& time, Lattice const& lattice)
 {
     if (time.startFrom() == "latestTime")
     {
@@ -30,6 +31,7 @@ State findStart(CaseFolder const& caseFolder, RunTime const& time)
                         "run setParticles first");
     info() << "Reading state from " << folder.filename().string() << "/\n" << std::endl;
     Checkpoint initial = readCheckpoint(folder);
+    requireSameWalls(caseFolder, initial.info.inputHash, initial.state, lattice);
     logChangedInput(caseFolder, initial.info.inputHash, "run setParticles again where the particles depend on it");
     return std::move(initial.state);
 }
@@ -52,10 +54,11 @@ Scene::Scene(CaseFolder const& caseFolder, Options const& options)
       timeStep_(std::make_unique<TimeStep>(dicts_.control, dicts_.lattice)),
       particles_(dicts_.lattice)
 {
-    State const start = findStart(case_, *time_);
+    State const start = findStart(case_, *time_, dicts_.lattice);
     readStart(start);
     checkDimensions(particles_, surfaces_);
     checkSpacing(particles_);
+    checkStart(start);
     if (dicts_.transport) buildFluid();
     if (!bodies_.empty()) buildSolids();
     if (fluid_ && fluid_->periodic()) fluid_->requireWallsInside(dicts_.schemes->where("cyclic"));
@@ -104,6 +107,14 @@ void Scene::readStart(State const& start)
         outlines_.push_back(outline.outline);
         discRadii_.push_back(outline.radius);
     }
+}
+
+void Scene::checkStart(State const& start)
+{
+    auto const pointer = [](std::optional<Dictionary> const& dict) { return dict ? &*dict : nullptr; };
+    requireSameScene(pointer(dicts_.transport), pointer(dicts_.bodies), start, {dicts_.lattice, case_.root()});
+    requireDeepWalls(pointer(dicts_.schemes), start, dicts_.lattice);
+    rowsMadeFor_ = loadKernelRadius(start);
 }
 
 void Scene::buildFluid()

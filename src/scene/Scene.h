@@ -100,6 +100,7 @@ private:
     void rememberStart();
     void undo();
     void readStart(State const& start);
+    void checkStart(State const& start);
     void buildFluid();
     void buildSolids();
     void buildGuard();
@@ -123,6 +124,7 @@ private:
     std::vector<Surface> surfaces_;
     std::vector<std::string> surfaceNames_;
     Field<int> wallOf_;
+    std::optional<Real> rowsMadeFor_; ///< Largest effective radius over the spacing that setParticles knew of.
     std::vector<std::unique_ptr<RigidBody>> bodies_;
     std::vector<Surface> outlines_;
     std::vector<Real> discRadii_; ///< 0 for bodies that are no discs [m].

@@ -5,6 +5,7 @@
 #include "io/Checkpoint.h"
 #include "parallel/Reduce.h"
 #include "scene/Scene.h"
+#include "scene/StartChecks.h"
 
 namespace mpsDem {
 
@@ -93,6 +94,7 @@ State Scene::state() const
     particles_.save(state);
     saveSurfaces(state, surfaces_);
     saveWallOf(state, wallOf_);
+    saveKernelRadius(state, rowsMadeFor_);
     for (std::size_t k = 0; k < bodies_.size(); ++k)
         saveOutline(state, bodies_[k]->name(), static_cast<int>(k), {outlines_[k], discRadii_[k]});
     if (fluid_) fluid_->save(state);
