@@ -21,7 +21,8 @@ RunTime::RunTime(Dictionary const& dict)
     : startFrom_(dict.getWordOr("startFrom", "latestTime", {"firstTime", "startTime", "latestTime"}, "start times")),
       startTime_(dict.getInRangeOr("startTime", 0, -1e12, 1e12))
 {
-    reread(dict);
+    readEnd(dict);
+    readWriting(dict);
     purgeWrite_ = static_cast<int>(dict.getInRangeOr("purgeWrite", 2, 0, 1e6));
     maxClockTime_ = dict.getInRangeOr("maxClockTime", 0, 0, 1e12);
     checkpointInterval_ = dict.getInRangeOr("checkpointInterval", 600, 0, 1e12);
@@ -34,26 +35,45 @@ RunTime::RunTime(Dictionary const& dict)
     lastClockWrite_ = clock();
 }
 
-void RunTime::reread(Dictionary const& dict)
+void RunTime::readEnd(Dictionary const& dict)
 {
-    Real const endTime = dict.getInRange("endTime", -1e12, 1e12);
-    require(endTime >= startTime_, dict.where("endTime"), "endTime lies before startTime", "endTime >= startTime");
+    endTime_ = dict.getInRange("endTime", -1e12, 1e12);
+    require(endTime_ >= startTime_, dict.where("endTime"), "endTime lies before startTime", "endTime >= startTime");
+    std::string const stop = dict.getWordOr("stopAt", "endTime", {"endTime", "writeNow", "noWriteNow", "nextWrite"}, "stop times");
+    stopAsked_ = stop == "writeNow";
+    stopping_ = stop == "noWriteNow";
+    stopAtWrite_ = stop == "nextWrite";
+}
+
+void RunTime::readWriting(Dictionary const& dict)
+{
     std::string const control =
         dict.getWordOr("writeControl", "adjustableRunTime",
                        {"timeStep", "runTime", "adjustable", "adjustableRunTime", "cpuTime", "clockTime", "none"}, "write controls");
-    Real const interval = dict.getInRangeOr("writeInterval", std::max(endTime - startTime_, Real(1e-12)), 1e-12, 1e12);
-    std::string const stop = dict.getWordOr("stopAt", "endTime", {"endTime", "writeNow", "noWriteNow", "nextWrite"}, "stop times");
-    endTime_ = endTime;
-    writeInterval_ = interval;
+    writeInterval_ = dict.getInRangeOr("writeInterval", std::max(endTime_ - startTime_, Real(1e-12)), 1e-12, 1e12);
     writeControl_ = control == "timeStep"    ? WriteControl::TimeStep
                     : control == "runTime"   ? WriteControl::RunTime
                     : control == "cpuTime"   ? WriteControl::CpuTime
                     : control == "clockTime" ? WriteControl::ClockTime
                     : control == "none"      ? WriteControl::None
                                              : WriteControl::Adjustable;
-    stopAsked_ = stop == "writeNow";
-    stopping_ = stopping_ || stop == "noWriteNow";
-    stopAtWrite_ = stop == "nextWrite";
+}
+
+void RunTime::take(RunTime const& edited)
+{
+    bool const otherClock = writeControl_ != edited.writeControl_;
+    endTime_ = edited.endTime_;
+    stopAsked_ = edited.stopAsked_;
+    stopping_ = stopping_ || edited.stopping_;
+    stopAtWrite_ = edited.stopAtWrite_;
+    writeControl_ = edited.writeControl_;
+    writeInterval_ = edited.writeInterval_;
+    purgeWrite_ = edited.purgeWrite_;
+    maxClockTime_ = edited.maxClockTime_;
+    checkpointInterval_ = edited.checkpointInterval_;
+    timePrecision_ = edited.timePrecision_;
+    modifiable_ = edited.modifiable_;
+    if (otherClock) lastClockWrite_ = clock();
 }
 
 Real RunTime::clock() const

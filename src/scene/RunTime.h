@@ -64,8 +64,8 @@ public:
 
     /// Whether controlDict may be edited while running.
     [[nodiscard]] bool modifiable() const { return modifiable_; }
-    /// Takes over what may change while running: endTime, stopAt, writeControl, writeInterval. Nothing changes where it throws.
-    void reread(Dictionary const& controlDict);
+    /// Takes over what an edited controlDict says: all but startFrom and startTime, which a run has behind it.
+    void take(RunTime const& edited);
 
 private:
     enum class WriteControl
@@ -78,6 +78,8 @@ private:
         None
     };
 
+    void readEnd(Dictionary const& controlDict);
+    void readWriting(Dictionary const& controlDict);
     [[nodiscard]] Real nextWriteTime() const;
     [[nodiscard]] bool writesAt(std::int64_t number, Real time) const;
     [[nodiscard]] Real clock() const;

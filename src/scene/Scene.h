@@ -59,6 +59,10 @@ public:
     /// After a step: time goes on, function objects.
     void observe(Step const& step);
 
+    /// Takes over an edited controlDict between two steps and tells in the log what has changed: times, writing, length and redo of steps.
+    /// `functions`, startFrom and startTime count at the next start. @throw CaseError as at a start; nothing has changed then.
+    void takeOver(Dictionary const& control);
+
     /// Fields for ParaView and a checkpoint, where the step asks for them.
     void writeIfDue(Step const& step);
     /// Fields of the very start.

@@ -36,6 +36,14 @@ StepGuard::StepGuard(Dictionary const& controlDict, SchemeSet set, bool adjustab
     largestLimited_ = dict.getInRangeOr("limited", 0.005, 0, 1);
 }
 
+void StepGuard::take(StepGuard const& edited)
+{
+    active_ = edited.active_;
+    adjustable_ = edited.adjustable_;
+    largestRise_ = edited.largestRise_;
+    largestLimited_ = edited.largestLimited_;
+}
+
 void StepGuard::choose(Step const& step, Real limit)
 {
     tried_ = 0;

@@ -39,6 +39,9 @@ public:
     /// @param controlDict  system/controlDict. @param adjustable  adjustTimeStep. @param gravity [m/s2]. @param density  Of water [kg/m3].
     StepGuard(Dictionary const& controlDict, SchemeSet set, bool adjustable, Vector const& gravity, Real density);
 
+    /// Takes over what an edited controlDict says; what was counted stays.
+    void take(StepGuard const& edited);
+
     /// Whether steps are watched; whether they are also taken again.
     [[nodiscard]] bool active() const { return active_; }
     [[nodiscard]] bool redoes() const { return active_ && adjustable_; }

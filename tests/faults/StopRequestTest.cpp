@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -129,12 +132,68 @@ TEST(StopRequest, ALongerEndTimeIsTakenWhileRunning)
     EXPECT_NE(result.output.find("\nTime = 0.35\n"), std::string::npos);
 }
 
+/// The log of the case behind the place where it tells that controlDict was read again, after an edit at step 20.
+std::string logAfterEdit(std::vector<std::pair<std::string, std::string>> const& edits, std::string const& told)
+{
+    WedgeCase const testCase;
+    testCase.makeParticles();
+    RunningProgram program("mpsDemFoam", testCase.root());
+    EXPECT_TRUE(program.waitFor("\nTime = ", 20));
+    std::string text = contentOf(testCase.root() / "system/controlDict");
+    for (auto const& [before, after] : edits) text.replace(text.find(before), before.size(), after);
+    std::ofstream(testCase.root() / "system/controlDict.new") << text; // at once: half a file would be read as one
+    std::filesystem::rename(testCase.root() / "system/controlDict.new", testCase.root() / "system/controlDict");
+    ProgramResult const result = program.wait();
+    EXPECT_EQ(result.exitCode, done) << told << result.error;
+    std::size_t const at = result.output.find("Re-read system/controlDict: " + told);
+    EXPECT_NE(at, std::string::npos) << told << '\n' << result.output.substr(0, 20000) << result.error;
+    return at == std::string::npos ? "" : result.output.substr(at);
+}
+
+/// Lengths of the steps that a log tells of.
+std::vector<double> stepsOf(std::string const& log)
+{
+    std::vector<double> steps;
+    std::string const key = "\ndeltaT = ";
+    for (std::size_t at = log.find(key); at != std::string::npos; at = log.find(key, at + 1))
+        steps.push_back(std::stod(log.substr(at + key.size(), 30)));
+    return steps;
+}
+
+TEST(StopRequest, TheLengthOfStepsIsTakenWhileRunning)
+{
+    std::vector<double> const shorter = stepsOf(logAfterEdit({{"maxDeltaT 0.002", "maxDeltaT 0.0008"}}, "maxDeltaT = 0.0008\n"));
+    ASSERT_GT(shorter.size(), 100u);
+    EXPECT_LE(*std::max_element(shorter.begin(), shorter.end()), 0.0008);
+
+    std::vector<double> const fixed = stepsOf(logAfterEdit({{"adjustTimeStep yes", "adjustTimeStep no"}, {"deltaT 0.001", "deltaT 0.0009"}},
+                                                           "deltaT = 0.0009, adjustTimeStep = no\n"));
+    ASSERT_GT(fixed.size(), 100u);
+    EXPECT_TRUE(std::all_of(fixed.begin(), fixed.end() - 1, [](double dt) { return dt == 0.0009; })) << "the last meets the end";
+}
+
+TEST(StopRequest, WritingIsTakenWhileRunningAndWhatIsNotIsTold)
+{
+    std::string const log = logAfterEdit({{"purgeWrite 0;", "purgeWrite 3; redoSteps { active no; }"},
+                                          {"startTime 0;", "startTime 0.001; timePrecision 4;"},
+                                          {"deltaT 0.001;", "deltaT 0.0011;"},
+                                          {"type energyBudget;", "type energyBudget; log no;"}},
+                                         "timePrecision = 4, purgeWrite = 3, redoSteps\n");
+    EXPECT_NE(log.find("    changed, but read at a start only: startTime, deltaT, functions\n"), std::string::npos) << log.substr(0, 300);
+    EXPECT_NE(log.find("energyBudget energy write"), std::string::npos);
+    std::size_t const last = log.rfind("\nTime = 0.2");
+    ASSERT_NE(last, std::string::npos);
+    EXPECT_LE(log.find('\n', last + 1) - last - std::string("\nTime = 0.").size(), 4u) << "digits after the point";
+}
+
 TEST(StopRequest, ABrokenControlDictIsNamedAndChangesNothing)
 {
     WedgeCase const unbroken;
     unbroken.makeParticles();
     ASSERT_EQ(unbroken.run().exitCode, done);
-    for (std::string const edit : {"endTime nan;", "endTime -1;", "stopAt never;", "writeInterval -3;", "writeControl { ", "endTime;"})
+    for (std::string const edit :
+         {"endTime nan;", "stopAt never;", "writeControl { ", "maxPressureCo -1;", "checkpointInterval soon;",
+          "redoSteps { energyRise 2; }", "maxCoo 0.1;", "functions { slide { colour red; } }", "functions { new { type nonsense; } }"})
     {
         WedgeCase const testCase;
         testCase.makeParticles();
@@ -143,7 +202,11 @@ TEST(StopRequest, ABrokenControlDictIsNamedAndChangesNothing)
         testCase.append("system/controlDict", edit + "\n");
         ProgramResult const result = program.wait();
         EXPECT_EQ(result.exitCode, done) << edit << '\n' << result.error;
-        EXPECT_NE((result.output + result.error).find("was edited but is not valid"), std::string::npos) << edit;
+        std::string const told = "was edited but is not valid";
+        std::size_t const at = result.output.find(told);
+        ASSERT_NE(at, std::string::npos) << edit;
+        EXPECT_EQ(result.output.find(told, at + 1), std::string::npos) << edit << ": told twice";
+        EXPECT_EQ(result.output.find("Re-read"), std::string::npos) << edit;
         expectSameState(unbroken, testCase, unbroken.checkpoints().back());
     }
 }

@@ -64,8 +64,7 @@ void StopRequest::rereadControl(Scene& scene)
     {
         Dictionary const dict = Dictionary::fromFile(controlFile_, root_);
         dict.requireHeader();
-        scene.time().reread(dict);
-        info() << "Re-read system/controlDict: endTime = " << scene.time().endTime() << '\n' << std::endl;
+        scene.takeOver(dict);
     }
     catch (CaseError const& wrong)
     {

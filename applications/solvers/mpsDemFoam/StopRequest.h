@@ -12,8 +12,8 @@ class Scene;
 ///   SIGUSR2, SIGTERM, SIGINT         writes the state and stops (exit code 3)
 ///   a file `stop` in the case folder the same; the file is removed
 ///   maxClockTime of controlDict      the same
-///   an edited controlDict            endTime, writeInterval and stopAt are taken over, a broken one is warned of and ignored;
-///                                  with runTimeModifiable no nothing is
+///   an edited controlDict            is checked as at a start and taken over but for `functions` (Scene::takeOver); a wrong one is warned of
+///                                    and changes nothing; with runTimeModifiable no it is not looked at
 class StopRequest
 {
 public:
