@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/Log.h"
+#include "dem/MeshSurface.h"
 #include "dem/PolylineSurface.h"
 #include "dem/SimpleSurfaces.h"
 
@@ -17,6 +18,7 @@ constexpr Real noticedOverlap = 0.05;
 std::shared_ptr<ContactSurface const> surfaceOf(ContactShape const& shape, Real spacing)
 {
     if (shape.radius) return std::make_shared<DiscSurface>(*shape.radius);
+    if (shape.skin) return std::make_shared<MeshSurface>(*shape.skin, spacing);
     return std::make_shared<PolylineSurface>(shape.outline, spacing);
 }
 
@@ -34,7 +36,32 @@ std::size_t bodyNamed(Dictionary const& dict, std::span<RigidBody* const> bodies
 
 } // namespace
 
+std::vector<RestingSurface> restingSurfaces(std::vector<Polyline> const& lines, Real spacing)
+{
+    std::vector<RestingSurface> walls;
+    for (Polyline const& line : lines) walls.push_back({line.name(), std::make_shared<PolylineSurface>(line, spacing, lines)});
+    return walls;
+}
+
+std::vector<RestingSurface> restingSurfaces(std::vector<TriSurface> const& surfaces, Real spacing)
+{
+    std::vector<RestingSurface> walls;
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+        walls.push_back({surfaces[i].name(), std::make_shared<MeshSurface>(surfaces, i, spacing)});
+    return walls;
+}
+
 ContactModel::ContactModel(Dictionary const& contactProperties, Real spacing, Real thickness, std::vector<Polyline> const& surfaces,
+                           std::span<RigidBody* const> bodies, std::vector<ContactShape> const& shapes)
+    : ContactModel(contactProperties, spacing, thickness, restingSurfaces(surfaces, spacing), bodies, shapes)
+{}
+
+ContactModel::ContactModel(Dictionary const& contactProperties, Real spacing, std::vector<TriSurface> const& surfaces,
+                           std::span<RigidBody* const> bodies, std::vector<ContactShape> const& shapes)
+    : ContactModel(contactProperties, spacing, spacing, restingSurfaces(surfaces, spacing), bodies, shapes)
+{}
+
+ContactModel::ContactModel(Dictionary const& contactProperties, Real spacing, Real thickness, std::vector<RestingSurface> const& surfaces,
                            std::span<RigidBody* const> bodies, std::vector<ContactShape> const& shapes)
     : spacing_(spacing),
       thickness_(thickness)
@@ -43,7 +70,7 @@ ContactModel::ContactModel(Dictionary const& contactProperties, Real spacing, Re
     ContactProperties const common = ContactProperties::readCommon(contactProperties);
     collisionResolutionSteps_ = contactProperties.getInRangeOr("collisionResolutionSteps", 32, 20, 10000);
     std::vector<Target> targets;
-    for (Polyline const& line : surfaces) targets.push_back({line.name(), -1, std::make_shared<PolylineSurface>(line, spacing, surfaces)});
+    for (RestingSurface const& wall : surfaces) targets.push_back({wall.name, -1, wall.surface});
     for (std::size_t i = 0; i < bodies.size(); ++i)
     {
         points_.push_back(std::make_shared<ContactPointSet>(shapes[i], spacing, thickness));

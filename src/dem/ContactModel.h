@@ -9,12 +9,24 @@
 #include "core/Dictionary.h"
 #include "core/Polyline.h"
 #include "core/State.h"
+#include "core/TriSurface.h"
 #include "dem/ContactPair.h"
 #include "dem/ContactProperties.h"
 #include "dem/Latch.h"
 #include "dem/PairStiffness.h"
 
 namespace mpsDem {
+
+/// A wall that bodies can touch.
+struct RestingSurface
+{
+    std::string name;
+    std::shared_ptr<ContactSurface const> surface;
+};
+
+/// Polylines or triangle surfaces as walls: where the end of one lies on another one it goes on there.
+std::vector<RestingSurface> restingSurfaces(std::vector<Polyline> const& lines, Real spacing);
+std::vector<RestingSurface> restingSurfaces(std::vector<TriSurface> const& surfaces, Real spacing);
 
 /// All contacts of a scene: bodies with resting surfaces, with one another, with stoppers and latches (eqs 11-12).
 ///
@@ -31,11 +43,18 @@ namespace mpsDem {
 class ContactModel
 {
 public:
+    /// In 2-D.
     /// @param spacing    dx [m].  @param thickness  Width in z [m].
     /// @param surfaces   Resting surfaces, normals into the free side.
     /// @param bodies     In the order of all later calls.  @param shapes  One for each body, in body axes.
     /// @throw CaseError BadInput for wrong entries and for an overlap above 0.3 dx at the start.
     ContactModel(Dictionary const& contactProperties, Real spacing, Real thickness, std::vector<Polyline> const& surfaces,
+                 std::span<RigidBody* const> bodies, std::vector<ContactShape> const& shapes);
+    /// In 3-D: no thickness.
+    ContactModel(Dictionary const& contactProperties, Real spacing, std::vector<TriSurface> const& surfaces,
+                 std::span<RigidBody* const> bodies, std::vector<ContactShape> const& shapes);
+    /// With surfaces of any kind. @param thickness  Width in z; in 3-D the spacing, the width of a contact point [m].
+    ContactModel(Dictionary const& contactProperties, Real spacing, Real thickness, std::vector<RestingSurface> const& surfaces,
                  std::span<RigidBody* const> bodies, std::vector<ContactShape> const& shapes);
 
     /// Number of equal sub-steps of a fluid step dt [s]: 1 where nothing can touch (farther away than 5 mm + v dt), else so many that

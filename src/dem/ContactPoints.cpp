@@ -37,6 +37,8 @@ ContactPointSet::ContactPointSet(ContactShape const& shape, Real spacing, Real t
 {
     if (shape.radius)
         addDisc(*shape.radius, spacing, thickness);
+    else if (shape.skin)
+        addSurface(*shape.skin, spacing);
     else
         addPolygon(shape.outline, spacing, thickness);
 }
