@@ -138,19 +138,25 @@ void Scene::buildFluid()
     gravityImpulse_ = &ledger_.impulse("impulse/gravityOnFluid");
 }
 
+std::unique_ptr<ContactModel> Scene::makeContacts(std::vector<RigidBody*> const& bodies) const
+{
+    Real const spacing = dicts_.lattice.spacing;
+    std::vector<ContactShape> shapes;
+    for (std::size_t k = 0; k < bodies.size(); ++k)
+        shapes.push_back(discRadii_[k] > 0     ? ContactShape::disc(discRadii_[k])
+                         : outlines_[k].flat() ? ContactShape::polygon(outlines_[k].line())
+                                               : ContactShape::mesh(outlines_[k].triangles()));
+    if (dicts_.lattice.dimensions == 3)
+        return std::make_unique<ContactModel>(*dicts_.contact, spacing, trianglesOf(surfaces_), bodies, shapes);
+    return std::make_unique<ContactModel>(*dicts_.contact, spacing, dicts_.lattice.thickness, linesOf(surfaces_), bodies, shapes);
+}
+
 void Scene::buildSolids()
 {
     std::unique_ptr<ContactModel> contacts;
     std::vector<RigidBody*> pointers;
     for (auto const& body : bodies_) pointers.push_back(body.get());
-    if (dicts_.contact)
-    {
-        std::vector<ContactShape> shapes;
-        for (std::size_t k = 0; k < bodies_.size(); ++k)
-            shapes.push_back(discRadii_[k] > 0 ? ContactShape::disc(discRadii_[k]) : ContactShape::polygon(outlines_[k].line()));
-        contacts = std::make_unique<ContactModel>(*dicts_.contact, dicts_.lattice.spacing, dicts_.lattice.thickness, linesOf(surfaces_),
-                                                  pointers, shapes);
-    }
+    if (dicts_.contact) contacts = makeContacts(pointers);
     std::vector<FluidBodyCoupling> couplings;
     if (fluid_)
     {

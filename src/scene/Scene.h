@@ -106,6 +106,7 @@ private:
     void readStart(State const& start);
     void checkStart(State const& start);
     void buildFluid();
+    [[nodiscard]] std::unique_ptr<ContactModel> makeContacts(std::vector<RigidBody*> const& bodies) const;
     void buildSolids();
     void buildGuard();
     void listEffects();
