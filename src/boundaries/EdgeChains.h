@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "boundaries/JoinedSurfaces.h"
+#include "core/Types.h"
+
+namespace mpsDem {
+
+/// Edges in a row that bend by less than 20 degrees from one to the next: a valley or a ridge of the solid, or a rim.
+struct EdgeChain
+{
+    enum class Kind
+    {
+        Valley, ///< The fluid has less than 160 degrees.
+        Ridge,  ///< The solid has less than 160 degrees.
+        Rim
+    };
+
+    /// A piece of the chain.
+    struct Piece
+    {
+        Vector a, b;     ///< [m]
+        Vector depth;    ///< Row k: -(k + 1/2) l0 depth. The bisector, of length 1 / sin(half the angle); at a rim the normal.
+        Vector outwards; ///< At a rim: unit vector in the surface, away from it.
+        int edge;
+    };
+
+    /// A particle on it.
+    struct Place
+    {
+        Vector point; ///< [m]
+        Vector outwards;
+        Vector normal;
+        int edge;
+    };
+
+    Kind kind;
+    bool loop = false;
+    std::vector<Piece> pieces;
+
+    /// Middles of round(L / spacing) equal parts of the parallel at `depth`.
+    [[nodiscard]] std::vector<Place> places(Real depth, Real spacing) const;
+};
+
+std::vector<EdgeChain> edgeChains(JoinedSurfaces const& surfaces);
+
+} // namespace mpsDem

@@ -1,0 +1,191 @@
+#include "boundaries/EvenSpread.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "particles/CellGrid.h"
+
+namespace mpsDem {
+
+namespace {
+
+constexpr Real dartsOfSpacing = 14;   ///< Darts thrown on l0 x l0.
+constexpr Real dartDistance = 0.80;   ///< Of darts, in spacings: what 14 darts need for one particle on l0 x l0.
+constexpr Real longestPull = 0.35;    ///< Of a dart to its row, in spacings.
+constexpr Real rowTolerance = 0.02;   ///< Of the depth, in spacings.
+constexpr Real reachOfRepulsion = 1.5; ///< In spacings.
+constexpr Real layerHeight = 0.5;     ///< Particles repel each other within a layer of this half height, in spacings.
+constexpr Real longestStep = 0.12;    ///< In spacings.
+constexpr Real strength = 0.35;       ///< Step for an overlap of the whole reach, in spacings.
+constexpr int steps = 8;
+constexpr int tagOfRow = 1 << 30;
+Real const smoothCosine = std::cos(35.0 * std::numbers::pi / 180);
+
+} // namespace
+
+EvenSpread::EvenSpread(SurfaceRowBuilder& builder, std::vector<char> const& covered) : builder_(builder), covered_(covered)
+{
+    if (std::all_of(covered.begin(), covered.end(), [](char c) { return c != 0; })) return;
+    gatherNormals();
+    throwDarts();
+}
+
+void EvenSpread::gatherNormals()
+{
+    JoinedSurfaces const& s = builder_.surfaces();
+    std::vector<int> first(s.corners().size() + 1, 0);
+    for (auto const& f : s.faces())
+        for (int const c : f.corner) ++first[static_cast<std::size_t>(c) + 1];
+    for (std::size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
+    std::vector<int> at(static_cast<std::size_t>(first.back())), fill(first.begin(), first.end() - 1);
+    for (std::size_t f = 0; f < s.faces().size(); ++f)
+        for (int const c : s.faces()[f].corner) at[static_cast<std::size_t>(fill[static_cast<std::size_t>(c)]++)] = static_cast<int>(f);
+    normals_.resize(s.faces().size());
+    for (std::size_t f = 0; f < s.faces().size(); ++f)
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            Vector const& own = s.faces()[f].normal;
+            Vector sum = Vector::Zero();
+            std::size_t const c = static_cast<std::size_t>(s.faces()[f].corner[k]);
+            for (int i = first[c]; i < first[c + 1]; ++i)
+            {
+                Vector const& other = s.face(at[static_cast<std::size_t>(i)]).normal;
+                if (other.dot(own) > smoothCosine) sum += other;
+            }
+            normals_[f][k] = sum / sum.dot(own);
+        }
+}
+
+void EvenSpread::throwDarts()
+{
+    JoinedSurfaces const& s = builder_.surfaces();
+    Real const perArea = dartsOfSpacing / (builder_.spacing() * builder_.spacing());
+    Real due = uniform();
+    for (std::size_t f = 0; f < s.faces().size(); ++f)
+    {
+        if (covered_[f]) continue;
+        Vector const a = s.point(s.faces()[f], 0);
+        due += perArea * (s.point(s.faces()[f], 1) - a).cross(s.point(s.faces()[f], 2) - a).norm() / 2;
+        for (; due >= 1; due -= 1)
+        {
+            Real u = uniform(), v = uniform();
+            if (u + v > 1)
+            {
+                u = 1 - u;
+                v = 1 - v;
+            }
+            darts_.push_back({static_cast<int>(f), u, v});
+        }
+    }
+    for (std::size_t i = darts_.size(); i > 1; --i) std::swap(darts_[i - 1], darts_[static_cast<std::size_t>(uniform() * static_cast<Real>(i))]);
+}
+
+SurfaceRowBuilder::Candidate EvenSpread::candidate(Dart const& dart, int row) const
+{
+    JoinedSurfaces const& s = builder_.surfaces();
+    auto const& face = s.face(dart.face);
+    auto const& n = normals_[static_cast<std::size_t>(dart.face)];
+    Vector const a = s.point(face, 0);
+    Vector const foot = a + dart.u * (s.point(face, 1) - a) + dart.v * (s.point(face, 2) - a);
+    Vector const offset = (1 - dart.u - dart.v) * n[0] + dart.u * n[1] + dart.v * n[2];
+    return {foot - builder_.depth(row) * offset, offset.normalized(), dart.face, row, 0, tagOfRow + row};
+}
+
+/// Moves a place along its way to the surface until it lies at the depth of its row; false where it cannot.
+bool EvenSpread::pullToRow(SurfaceRowBuilder::Candidate& c) const
+{
+    Real const l0 = builder_.spacing(), depth = builder_.depth(c.row);
+    auto const near = builder_.tree().nearest(c.position);
+    Real const below = -near.distance;
+    if (below < 0.05 * l0 || near.atRim || std::abs(below - depth) > longestPull * l0) return false;
+    Vector const normal = (near.point - c.position) / below;
+    Vector const pulled = near.point - depth * normal;
+    Real const moved = std::abs(below - depth);
+    if (moved > 1e-3 * l0 && -builder_.tree().distance(pulled) < depth - rowTolerance * l0) return false;
+    int const face = builder_.faceOf(near);
+    if (!isDue(face, c.row)) return false;
+    c.position = pulled;
+    c.normal = normal;
+    c.face = face;
+    return true;
+}
+
+std::vector<EvenSpread::Particle> EvenSpread::particles(int row) const
+{
+    using Standing = SurfaceRowBuilder::Standing;
+    Real const least = dartDistance * builder_.spacing();
+    PlacedPoints own(1.6 * builder_.spacing());
+    std::vector<Particle> result;
+    for (Dart const& dart : darts_)
+    {
+        if (!isDue(dart.face, row)) continue;
+        auto c = candidate(dart, row);
+        if (own.near(c.position, least) || builder_.placed().near(c.position, least)) continue;
+        Standing where = Standing::InRow;
+        if (builder_.surfaces().components() > 1)
+        {
+            where = builder_.standing(c);
+            if (where == Standing::Outside && !pullToRow(c)) continue;
+        }
+        if (where == Standing::InRow && !pullToRow(c)) continue;
+        if (own.near(c.position, least) || builder_.placed().near(c.position, least)) continue;
+        own.add(c.position, 0);
+        result.push_back({c, where != Standing::Buried});
+    }
+    return result;
+}
+
+void EvenSpread::repel(std::vector<Particle>& particles) const
+{
+    Real const l0 = builder_.spacing(), reach = reachOfRepulsion * l0;
+    std::vector<std::vector<Vector>> fixed(particles.size());
+    for (std::size_t i = 0; i < particles.size(); ++i)
+        builder_.placed().anyNear(particles[i].candidate.position, 1.6 * l0, [&](Vector const& q, int) {
+            fixed[i].push_back(q);
+            return false;
+        });
+    Field<Vector> position(particles.size());
+    CellGrid grid;
+    for (int step = 0; step < steps; ++step)
+    {
+        for (std::size_t i = 0; i < particles.size(); ++i) position[i] = particles[i].candidate.position;
+        grid.build(position, reach, 3);
+        for (std::size_t i = 0; i < particles.size(); ++i)
+        {
+            if (!particles[i].movable) continue;
+            auto& c = particles[i].candidate;
+            Vector push = Vector::Zero();
+            auto const add = [&](Vector const& rij) {
+                Real const r = rij.norm();
+                if (r < 1e-9 * l0 || r >= reach || std::abs(rij.dot(c.normal)) > layerHeight * l0) return;
+                Real const overlap = 1 - r / reach;
+                push -= overlap * overlap / r * rij;
+            };
+            grid.forEachWithin(position[i], reach, [&](int, Vector const& rij, Real) { add(rij); });
+            for (Vector const& q : fixed[i]) add(q - position[i]);
+            push -= push.dot(c.normal) * c.normal;
+            push *= strength * l0;
+            if (push.norm() > longestStep * l0) push *= longestStep * l0 / push.norm();
+            auto moved = c;
+            moved.position += push;
+            if (pullToRow(moved) && (moved.position - c.position).norm() < 3 * longestStep * l0) c = moved;
+        }
+    }
+}
+
+void EvenSpread::addRow(int row)
+{
+    if (darts_.empty()) return;
+    std::vector<Particle> all = particles(row);
+    repel(all);
+    for (Particle const& p : all)
+    {
+        if (p.movable)
+            builder_.put(p.candidate, p.candidate.normal, row == 0 ? ParticleType::Wall : ParticleType::Ghost);
+        else
+            builder_.addInRow(p.candidate); // buried
+    }
+}
+
+} // namespace mpsDem
