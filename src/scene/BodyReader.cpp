@@ -11,6 +11,7 @@
 #include "core/Errors.h"
 #include "core/Registry.h"
 #include "scene/EntryText.h"
+#include "scene/SurfaceFile.h"
 
 namespace mpsDem {
 
@@ -102,7 +103,8 @@ std::unique_ptr<Shape> makeSphere(Dictionary const& dict, GeometryContext const&
 std::unique_ptr<Shape> makeSurfaceFile(Dictionary const& dict, GeometryContext const& context)
 {
     auto shape = std::make_unique<Shape>();
-    shape->make = [surface = readSurfaceFile(dict, context, true)](std::string const& name) { return Surface(surface.renamed(name)); };
+    shape->make = [surface = readSurfaceFile(dict, context.root, dict.get<std::string>("file"), Skin::Closed, context.lattice.spacing)](
+                      std::string const& name) { return Surface(surface.renamed(name)); };
     return shape;
 }
 

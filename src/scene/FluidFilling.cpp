@@ -1,75 +1,21 @@
 #include "scene/FluidFilling.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <random>
 
 #include "core/Errors.h"
 #include "scene/EntryText.h"
+#include "scene/FillingCells.h"
 
 namespace mpsDem {
 
 namespace {
 
-constexpr Real clearance = 0.45;         ///< Of fluid on the lattice from solids, in spacings.
-constexpr Real jitteredClearance = 0.25; ///< Of jittered fluid, in spacings.
-constexpr int samples = 610;             ///< In a cell that a surface cuts: a Fibonacci lattice, in line with no wall.
-constexpr int turn = 377;                ///< Fibonacci number before it.
+constexpr int samples = 610; ///< In a cell that a surface cuts: a Fibonacci lattice, in line with no wall.
+constexpr int turn = 377;    ///< Fibonacci number before it.
 constexpr Real mostCells = 2e8;
 
-/// Uniform numbers in [-1, 1) from the 53 leading bits of a Mersenne twister: the same on every machine.
-class Jitter
-{
-public:
-    explicit Jitter(std::uint64_t seed) : generator_(seed) {}
-    Real next() { return 2 * (static_cast<Real>(generator_() >> 11) * 0x1p-53) - 1; }
-
-private:
-    std::mt19937_64 generator_;
-};
-
-struct Cells
-{
-    Vector origin;
-    std::int64_t lowX = 0, highX = 0, lowY = 0, highY = 0; ///< Half-open.
-    Real spacing;
-
-    [[nodiscard]] Vector middle(std::int64_t i, std::int64_t j) const
-    {
-        return origin + spacing * Vector(static_cast<Real>(i) + 0.5, static_cast<Real>(j) + 0.5, 0);
-    }
-};
-
-Cells cellsOver(std::vector<std::unique_ptr<Region>> const& regions, LatticePlacement const& placement, Lattice const& lattice)
-{
-    Vector low = regions.front()->low(), high = regions.front()->high();
-    for (auto const& region : regions)
-    {
-        low = low.cwiseMin(region->low());
-        high = high.cwiseMax(region->high());
-    }
-    Cells cells{placement.origin + lattice.spacing * placement.offset, 0, 0, 0, 0, lattice.spacing};
-    Vector const first = (low - cells.origin) / lattice.spacing, last = (high - cells.origin) / lattice.spacing;
-    Real const count = (last.x() - first.x() + 2) * (last.y() - first.y() + 2);
-    require(count < mostCells, regions.front()->where,
-            "the regions cover " + std::to_string(static_cast<std::int64_t>(count)) + " cells of the lattice",
-            "fewer than 200 million: a larger spacing or smaller regions");
-    cells.lowX = static_cast<std::int64_t>(std::floor(first.x()));
-    cells.lowY = static_cast<std::int64_t>(std::floor(first.y()));
-    cells.highX = static_cast<std::int64_t>(std::ceil(last.x()));
-    cells.highY = static_cast<std::int64_t>(std::ceil(last.y()));
-    return cells;
-}
-
-int lastRegion(std::vector<std::unique_ptr<Region>> const& regions, Vector const& r)
-{
-    for (std::size_t k = regions.size(); k-- > 0;)
-        if (regions[k]->contains(r)) return static_cast<int>(k);
-    return -1;
-}
-
-/// Share of a cell that is in a region and in no solid.
+/// Share of a cell of a plane lattice that is in a region and in no solid.
 class CellShare
 {
 public:
@@ -109,12 +55,50 @@ private:
 
 } // namespace
 
-LatticePlacement LatticePlacement::read(Dictionary const& setParticlesDict)
+FillingCells::FillingCells(std::vector<std::unique_ptr<Region>> const& regions, LatticePlacement const& placement, Lattice const& lattice)
+    : dimensions(lattice.dimensions),
+      origin(placement.origin + lattice.spacing * placement.offset),
+      spacing(lattice.spacing)
+{
+    Vector lowest = regions.front()->low(), highest = regions.front()->high();
+    for (auto const& region : regions)
+    {
+        lowest = lowest.cwiseMin(region->low());
+        highest = highest.cwiseMax(region->high());
+    }
+    Vector const first = (lowest - origin) / spacing, last = (highest - origin) / spacing;
+    Real count = 1;
+    for (int d = 0; d < dimensions; ++d) count *= last[d] - first[d] + 2;
+    require(count < mostCells, regions.front()->where,
+            "the regions cover " + std::to_string(static_cast<std::int64_t>(std::min(count, Real(1e18)))) + " cells of the lattice",
+            "fewer than 200 million: a larger spacing or smaller regions");
+    high[2] = 1;
+    for (int d = 0; d < dimensions; ++d)
+    {
+        low[static_cast<std::size_t>(d)] = static_cast<std::int64_t>(std::floor(first[d]));
+        high[static_cast<std::size_t>(d)] = static_cast<std::int64_t>(std::ceil(last[d]));
+    }
+}
+
+int lastRegion(std::vector<std::unique_ptr<Region>> const& regions, Vector const& r)
+{
+    for (std::size_t k = regions.size(); k-- > 0;)
+        if (regions[k]->contains(r)) return static_cast<int>(k);
+    return -1;
+}
+
+LatticePlacement LatticePlacement::read(Dictionary const& setParticlesDict, int dimensions)
 {
     LatticePlacement placement;
     Dictionary const dict = setParticlesDict.subDictOrEmpty("lattice");
-    if (dict.found("origin")) placement.origin = readPoint(dict, "origin");
-    if (dict.found("offset")) placement.offset = readPoint(dict, "offset");
+    auto const vector = [&](std::string const& key) {
+        if (dimensions == 2) return readPoint(dict, key);
+        Vector const v = dict.get<Vector>(key);
+        require(v.allFinite(), dict.where(key), key + " is not finite", "three numbers");
+        return v;
+    };
+    if (dict.found("origin")) placement.origin = vector("origin");
+    if (dict.found("offset")) placement.offset = vector("offset");
     require(placement.offset.cwiseAbs().maxCoeff() <= 1, dict.where("offset"), "offset is more than a spacing", "fractions from -1 to 1");
     placement.jitter = dict.getInRangeOr("jitter", 0, 0, 0.49);
     placement.seed = static_cast<std::uint64_t>(dict.getInRangeOr("seed", 1, 0, 9e15));
@@ -124,20 +108,20 @@ LatticePlacement LatticePlacement::read(Dictionary const& setParticlesDict)
 FluidFilling fillRegions(std::vector<std::unique_ptr<Region>> const& regions, LatticePlacement const& placement, Lattice const& lattice,
                          Obstacles const& obstacles)
 {
+    if (lattice.dimensions == 3 && !regions.empty()) return fillSpace(regions, placement, lattice, obstacles);
     FluidFilling fluid;
     fluid.count.assign(regions.size(), 0);
     if (regions.empty()) return fluid;
     Real const spacing = lattice.spacing;
-    Cells const cells = cellsOver(regions, placement, lattice);
+    FillingCells const cells(regions, placement, lattice);
     CellShare const share(regions, obstacles, spacing);
-    auto const distance = [&](Vector const& r) { return std::min(obstacles.walls.distance(r), obstacles.bodies.distance(r)); };
     Jitter jitter(placement.seed);
 
-    for (std::int64_t j = cells.lowY; j < cells.highY; ++j)
-        for (std::int64_t i = cells.lowX; i < cells.highX; ++i)
+    for (std::int64_t j = cells.low[1]; j < cells.high[1]; ++j)
+        for (std::int64_t i = cells.low[0]; i < cells.high[0]; ++i)
         {
             Vector r = cells.middle(i, j);
-            Real const toSolid = distance(r);
+            Real const toSolid = obstacles.distance(r);
             fluid.volume += share.of(r, toSolid) * lattice.particleVolume();
             int const region = lastRegion(regions, r);
             if (region < 0) continue;
@@ -147,7 +131,7 @@ FluidFilling fillRegions(std::vector<std::unique_ptr<Region>> const& regions, La
             {
                 Real const x = jitter.next(), y = jitter.next();
                 Vector const moved = r + placement.jitter * spacing * Vector(x, y, 0);
-                if (distance(moved) >= jitteredClearance * spacing) r = moved;
+                if (obstacles.distance(moved) >= jitteredClearance * spacing) r = moved;
             }
             fluid.position.push_back(r);
             fluid.region.push_back(region);

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "boundaries/SurfaceTree.h"
 #include "core/Dictionary.h"
 #include "core/Types.h"
 #include "particles/Lattice.h"
@@ -18,7 +19,7 @@ namespace mpsDem {
 /// |--------|-----------------------------------------------------------------|----------|---------|-----------|
 /// | origin | corner of a cell of the lattice; particles stand in the middles | m        | (0 0 0) |           |
 /// | offset | shifts it                                                       | spacings | (0 0 0) | -1 to 1   |
-/// | jitter | each particle is moved by up to this along each axis            | spacings | 0       | 0 to 0.49 |
+/// | jitter | each particle is moved by up to this along each axis (2 or 3)   | spacings | 0       | 0 to 0.49 |
 /// | seed   | of the jitter                                                   | -        | 1       | >= 0      |
 struct LatticePlacement
 {
@@ -27,15 +28,34 @@ struct LatticePlacement
     Real jitter = 0;
     std::uint64_t seed = 1;
 
-    /// Reads `lattice`; the defaults where it is absent. @throw CaseError BadInput for a number out of its range.
-    static LatticePlacement read(Dictionary const& setParticlesDict);
+    /// Reads `lattice`; the defaults where it is absent. @throw CaseError BadInput for a number out of its range; in 2-D a third component.
+    static LatticePlacement read(Dictionary const& setParticlesDict, int dimensions = 2);
+};
+
+/// Signed distance from solids [m], positive in the fluid, of any tree that has `Real distance(Vector const&) const`: SegmentTree in 2-D,
+/// TriangleTree in 3-D. Keeps the address of the tree.
+class SolidDistance
+{
+public:
+    template <class Tree>
+    requires(!std::same_as<Tree, SolidDistance>) SolidDistance(Tree const& tree)
+        : tree_(&tree),
+          ask_([](void const* of, Vector const& r) { return static_cast<Tree const*>(of)->distance(r); })
+    {}
+    [[nodiscard]] Real distance(Vector const& r) const { return ask_(tree_, r); }
+
+private:
+    void const* tree_;
+    Real (*ask_)(void const*, Vector const&);
 };
 
 /// Solids that fluid keeps clear of.
 struct Obstacles
 {
-    SurfaceTree const& walls;  ///< Fixed walls.
-    SurfaceTree const& bodies; ///< Outlines of bodies in space.
+    SolidDistance walls;  ///< Fixed walls.
+    SolidDistance bodies; ///< Surfaces of bodies in space.
+
+    [[nodiscard]] Real distance(Vector const& r) const { return std::min(walls.distance(r), bodies.distance(r)); }
 };
 
 /// Fluid particles, equal lengths.
@@ -44,12 +64,15 @@ struct FluidFilling
     Field<Vector> position; ///< [m]
     Field<int> region;      ///< The last region that holds the particle.
     std::vector<int> count; ///< Of each region: lattice points within it, before solids are carved out.
-    Real volume =
-        0; ///< Of the regions without solids, sampled (error about 0.01 of a cell for each cell that a surface cuts, random) [m3].
+    /// Of the regions without solids, sampled [m3]. Error of about 0.01 of a cell (3-D: 0.02) for each cell that a surface cuts, random.
+    Real volume = 0;
 };
 
 /// Lattice points origin + (i + 1/2 + offset) l0 that lie in a region, at least 0.45 l0 from walls on their fluid side and at least
 /// 0.45 l0 outside of bodies. A jittered point that would come nearer than 0.25 l0 to a solid stays where the lattice has it.
+///
+/// In 3-D, blocks of cells that are far from solids at their middle and corners are settled at once. What lies beyond the rim of an open
+/// wall has no sharp inside: there a block may differ from its cells.
 FluidFilling fillRegions(std::vector<std::unique_ptr<Region>> const& regions, LatticePlacement const& placement, Lattice const& lattice,
                          Obstacles const& obstacles);
 

@@ -47,8 +47,8 @@ SceneDefinition readSceneDefinition(CaseFolder const& caseFolder, std::filesyste
     GeometryContext const geometry{scene.lattice, caseFolder.root()};
     Dictionary const dict = caseFolder.read(dictionary);
     scene.walls = readWalls(dict, geometry, scene.kernelRadius);
-    scene.regions = readRegions(dict);
-    scene.placement = LatticePlacement::read(dict);
+    scene.regions = readRegions(dict, scene.lattice, caseFolder.root());
+    scene.placement = LatticePlacement::read(dict, scene.lattice.dimensions);
     readHydrostatic(scene, dict);
     dict.requireAllRead();
 

@@ -45,10 +45,6 @@ std::vector<Vector> circlePoints(Vector const& centre, Real radius, Real spacing
 /// Longest edge of the triangles that stand for a sphere, in spacings: its volume is right within 0.2 % where it is 8 spacings across.
 inline constexpr Real sphereEdge = 0.5;
 
-/// Reads `file` (in constant/triSurface), `scale` and `translate` of a surface or body of type triSurfaceMesh.
-/// @throw CaseError as readStl()
-TriSurface readSurfaceFile(Dictionary const& dict, GeometryContext const& context, bool closed);
-
 /// `zRange (low high);` of a surface or body that stands over a line or polygon of the x-y plane [m].
 std::pair<Real, Real> readZRange(Dictionary const& dict);
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/Errors.h"
-#include "io/StlFile.h"
 #include "scene/EntryText.h"
+#include "scene/SurfaceFile.h"
 #include "scene/SurfaceShapes.h"
 
 namespace mpsDem {
@@ -101,30 +101,13 @@ std::unique_ptr<SurfaceShape> makeSphere(Dictionary const& dict, GeometryContext
 
 std::unique_ptr<SurfaceShape> makeSurfaceFile(Dictionary const& dict, GeometryContext const& context)
 {
-    TriSurface const surface = readSurfaceFile(dict, context, false);
+    TriSurface const surface = readSurfaceFile(dict, context.root, dict.get<std::string>("file"), Skin::Open, context.lattice.spacing);
     auto const build = [surface](std::string const& name) { return surface.renamed(name); };
     if (!surface.closed()) return shapeOf(dict, build, windingSides, "normal");
     return shapeOf(dict, build, solidSides, "outside");
 }
 
 } // namespace
-
-TriSurface readSurfaceFile(Dictionary const& dict, GeometryContext const& context, bool closed)
-{
-    StlOptions options;
-    options.scale = dict.getInRangeOr("scale", 1, 1e-9, 1e9);
-    options.skin = closed ? Skin::Closed : Skin::Open;
-    options.spacing = context.lattice.spacing;
-    std::string const file = dict.get<std::string>("file");
-    require(!file.empty() && file.find("..") == std::string::npos && file.front() != '/', dict.where("file"),
-            "\"" + file + "\" is no file of this case", "the name of a file in constant/triSurface");
-    std::filesystem::path const path = context.root / "constant" / "triSurface" / file;
-    require(std::filesystem::is_regular_file(path), dict.where("file"), "constant/triSurface/" + file + " does not exist",
-            "a surface in the STL format, binary or ASCII");
-    TriSurface const surface = readStl(path, file, options);
-    if (!dict.found("translate")) return surface;
-    return surface.moved(Tensor::Identity(), readPoint(dict, "translate", 3));
-}
 
 std::pair<Real, Real> readZRange(Dictionary const& dict)
 {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "boundaries/SegmentTree.h"
+#include "boundaries/SurfaceTree.h"
 #include "core/Errors.h"
 #include "scene/FluidFilling.h"
 
@@ -16,7 +16,7 @@ Lattice const lattice{2, 0.02, 0.5};
 
 std::vector<std::unique_ptr<Region>> regionsOf(std::string const& text)
 {
-    return readRegions(Dictionary::fromText("regions (" + text + ");"));
+    return readRegions(Dictionary::fromText("regions (" + text + ");"), lattice);
 }
 
 FluidFilling filled(std::string const& regions, std::string const& placement = "", std::vector<Surface> const& walls = {},

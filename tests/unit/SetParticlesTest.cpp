@@ -236,7 +236,7 @@ TEST(SetParticles, SpecimensOfTheDictionariesAreValid)
 
     auto const dict = read("setParticlesDict");
     EXPECT_EQ(readWalls(dict, {lattice, {}}, 2.1).size(), 5u);
-    EXPECT_EQ(readRegions(dict).size(), 4u);
+    EXPECT_EQ(readRegions(dict, lattice).size(), 4u);
     EXPECT_EQ(LatticePlacement::read(dict).jitter, 0);
     dict.ignore("hydrostatic");
     dict.requireAllRead();
