@@ -53,23 +53,28 @@ std::string text(Vector const& r) { return "(" + text(r.x()) + " " + text(r.y())
 
 } // namespace
 
-Gap gapTo(Surface const& outline, std::vector<Surface> const& surfaces, Real spacing)
+Gap gapTo(Surface const& outline, std::vector<Surface> const& surfaces, Real spacing, Vector const& up)
 {
     Gap gap;
     gap.distance = std::numeric_limits<Real>::infinity();
     if (surfaces.empty()) return gap;
     SurfaceTree const tree(surfaces), own({outline});
+    Real const equal = 1e-6 * spacing;
+    auto const keep = [&](Real distance, Vector const& place, Vector const& normal, int other) {
+        bool const higher = distance < gap.distance + equal && up.dot(normal) > up.dot(gap.normal) + 1e-9;
+        bool const nearer = distance < gap.distance && !(distance > gap.distance - equal && up.dot(normal) < up.dot(gap.normal) - 1e-9);
+        if (higher || nearer) gap = {distance, place, normal, other};
+    };
     for (Vector const& q : samplesOf(outline, spacing))
     {
         auto const near = tree.nearest(q);
-        Real const distance = near.atRim ? std::abs(near.distance) : near.distance;
-        if (distance < gap.distance) gap = {distance, q, near.normal, near.surface};
+        keep(near.atRim ? std::abs(near.distance) : near.distance, q, near.normal, near.surface);
     }
     for (std::size_t k = 0; k < surfaces.size(); ++k)
         for (Vector const& corner : surfaces[k].points())
         {
             auto const near = own.nearest(corner);
-            if (near.distance < gap.distance) gap = {near.distance, corner, -near.normal, static_cast<int>(k)};
+            keep(near.distance, corner, -near.normal, static_cast<int>(k));
         }
     return gap;
 }

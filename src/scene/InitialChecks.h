@@ -22,7 +22,9 @@ struct Gap
 /// Nearest approach of an outline to surfaces: corners and points of its segments at most a quarter of a spacing apart (of its triangles
 /// half a spacing) against the surfaces, and corners of the surfaces against the outline. Beside the end of an open surface nothing
 /// overlaps. `other` is -1 where there are no surfaces.
-Gap gapTo(Surface const& outline, std::vector<Surface> const& surfaces, Real spacing);
+/// @param up  Of places that are equally near within 1e-6 spacings the one whose surface faces most along `up` counts (a slide between side
+///            walls stands on the ramp); zero: the first one.
+Gap gapTo(Surface const& outline, std::vector<Surface> const& surfaces, Real spacing, Vector const& up = Vector::Zero());
 
 /// Distance of the boxes along the axes that hold two surfaces [m]: no more than that of the surfaces; 0 where they overlap.
 Real boxDistance(Surface const& a, Surface const& b);

@@ -183,7 +183,8 @@ void reportBody(std::ostream& out, SceneDefinition const& definition, InitialSce
         for (int d = 0; d < 3; ++d)
         {
             line(out, d == 0 ? "inertia" : "");
-            putVector(out, properties.inertia.row(d));
+            Real const least = 1e-12 * properties.inertia.norm();
+            putVector(out, properties.inertia.row(d).unaryExpr([&](Real x) { return std::abs(x) < least ? 0 : x; }));
             out << " kg m2\n";
         }
     warnOfThinBody(definition, scene.placed[k]);
@@ -203,9 +204,9 @@ BodyOutlook bodyOutlook(SceneDefinition const& definition, InitialScene const& s
     MassProperties const& properties = definition.bodies[body]->massProperties();
     Real const g = definition.gravity.norm();
     outlook.submergedWeight = (properties.mass - definition.density * properties.volume) * g;
-    outlook.support = gapTo(scene.placed[body], scene.surfaces, definition.lattice.spacing);
+    Vector const up = g > 0 ? Vector(-definition.gravity / g) : Vector(Vector::Zero());
+    outlook.support = gapTo(scene.placed[body], scene.surfaces, definition.lattice.spacing, up);
     if (outlook.support.other < 0 || !(g > 0)) return outlook;
-    Vector const up = -definition.gravity / g;
     outlook.slope = std::acos(std::clamp(outlook.support.normal.dot(up), Real(-1), Real(1)));
     outlook.drive = outlook.submergedWeight * std::sin(outlook.slope);
     auto const& wall = scene.surfaces[static_cast<std::size_t>(outlook.support.other)];
