@@ -32,7 +32,7 @@ std::string controlText(Real endTime, Real dt, std::string const& extra)
 
 } // namespace
 
-RunCase::RunCase(Real spacing)
+RunCase::RunCase(Real spacing) : spacing_(spacing)
 {
     muteLog(true);
     gravity(Vector(0, -g, 0));
@@ -49,6 +49,8 @@ RunCase& RunCase::write(std::string const& file, std::string const& content, std
     out << "FoamFile { version 2.0; format ascii; class " << headerClass << "; object o; }\n" << content << '\n';
     return *this;
 }
+
+RunCase& RunCase::threeDimensions() { return write("constant/particleProperties", "dimensions 3; spacing " + text(spacing_) + ";"); }
 
 RunCase& RunCase::gravity(Vector const& value)
 {

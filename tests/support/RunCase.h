@@ -27,6 +27,8 @@ public:
     /// Writes a dictionary, header included; replaces one of the same name.
     RunCase& write(std::string const& file, std::string const& content, std::string const& headerClass = "dictionary");
     RunCase& gravity(Vector const& g);
+    /// Makes the case one in 3-D: constant/particleProperties without a thickness.
+    RunCase& threeDimensions();
     /// system/controlDict without output: steps of at most dt [s], shorter where the default limits ask for it; `extra` is appended.
     RunCase& control(Real endTime, Real dt, std::string const& extra = "");
     /// The same with every step of length dt.
@@ -54,6 +56,7 @@ public:
 
 private:
     TemporaryFolder folder_;
+    Real spacing_;
     std::unique_ptr<Scene> scene_;
 };
 
