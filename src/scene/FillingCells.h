@@ -37,6 +37,12 @@ struct FillingCells
         return origin + spacing * Vector(static_cast<Real>(i) + 0.5, static_cast<Real>(j) + 0.5, z);
     }
 
+    /// The corner of that cell with the lowest coordinates [m]; in 3-D.
+    [[nodiscard]] Vector corner(std::int64_t i, std::int64_t j, std::int64_t k) const
+    {
+        return origin + spacing * Vector(static_cast<Real>(i), static_cast<Real>(j), static_cast<Real>(k));
+    }
+
     int dimensions;
     Vector origin;
     Real spacing;
