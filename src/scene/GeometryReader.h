@@ -47,6 +47,10 @@ struct WallDefinition
 /// |                    | translate      | moved by, after scaling                                       | m    | (0 0 0) |
 /// |                    | fluidSide      | normal or reverse: that of the facets' normals; closed: outside or inside | - | normal, outside |
 ///
+/// | rasterSurface      | file           | 3-D: heights as ESRI ASCII grid in constant/triSurface        | -    | none    |
+/// |                    | up, origin, scale, every | see SurfaceFile.h                                   |      |         |
+/// |                    | fluidSide      | above or below                                                | -    | above   |
+///
 /// walls: a list of `{ name; surface; thickness; side; }`. Without `walls` each surface is a wall.
 ///
 /// | key       | meaning                                                            | unit | default         |

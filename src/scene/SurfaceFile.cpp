@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/Errors.h"
+#include "io/RasterFile.h"
 #include "io/StlFile.h"
 #include "scene/EntryText.h"
 
@@ -32,6 +33,16 @@ TriSurface readSurfaceFile(Dictionary const& dict, std::filesystem::path const& 
     TriSurface surface = readStl(file, name, options);
     if (!dict.found("translate")) return surface;
     return surface.moved(Tensor::Identity(), readPoint(dict, "translate", 3));
+}
+
+TriSurface readRasterSurface(Dictionary const& dict, std::filesystem::path const& caseFolder, std::string const& name)
+{
+    RasterOptions options;
+    options.up = dict.getWordOr("up", "y", {"y", "z"}, "axes") == "y" ? RasterOptions::Up::Y : RasterOptions::Up::Z;
+    options.origin = dict.getOr<Vector>("origin", Vector::Zero());
+    options.scale = dict.getInRangeOr("scale", 1, 1e-9, 1e9);
+    options.every = static_cast<int>(dict.getInRangeOr("every", 1, 1, 1e6));
+    return readRaster(pathOf(dict, caseFolder), name, options);
 }
 
 } // namespace mpsDem

@@ -14,6 +14,7 @@ namespace {
 std::vector<std::string> const alongSides{"left", "right"};
 std::vector<std::string> const solidSides{"outside", "inside"}; // of shapes whose normals point outwards
 std::vector<std::string> const plateSides{"positive", "negative"};
+std::vector<std::string> const heightSides{"above", "below"};
 std::vector<std::string> const windingSides{"normal", "reverse"}; // of an open surface from a file
 
 Vector readFinite(Dictionary const& dict, std::string const& key)
@@ -107,6 +108,13 @@ std::unique_ptr<SurfaceShape> makeSurfaceFile(Dictionary const& dict, GeometryCo
     return shapeOf(dict, build, solidSides, "outside");
 }
 
+std::unique_ptr<SurfaceShape> makeRaster(Dictionary const& dict, GeometryContext const& context)
+{
+    TriSurface const surface = readRasterSurface(dict, context.root, dict.get<std::string>("file"));
+    return shapeOf(
+        dict, [surface](std::string const& name) { return surface.renamed(name); }, heightSides, "above");
+}
+
 } // namespace
 
 std::pair<Real, Real> readZRange(Dictionary const& dict)
@@ -127,6 +135,7 @@ ShapeRegistry const& shapes3D()
         made.add("searchableCylinder", makeCylinder);
         made.add("searchableSphere", makeSphere);
         made.add("triSurfaceMesh", makeSurfaceFile);
+        made.add("rasterSurface", makeRaster);
         return made;
     }();
     return registry;
