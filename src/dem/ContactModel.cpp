@@ -67,52 +67,61 @@ ContactModel::ContactModel(Dictionary const& contactProperties, Real spacing, Re
       thickness_(thickness)
 {
     expect(bodies.size() == shapes.size(), "one contact shape a body");
-    ContactProperties const common = ContactProperties::readCommon(contactProperties);
+    common_ = ContactProperties::readCommon(contactProperties);
     collisionResolutionSteps_ = contactProperties.getInRangeOr("collisionResolutionSteps", 32, 20, 10000);
-    std::vector<Target> targets;
-    for (RestingSurface const& wall : surfaces) targets.push_back({wall.name, -1, wall.surface});
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-    {
-        points_.push_back(std::make_shared<ContactPointSet>(shapes[i], spacing, thickness));
-        disc_.push_back(shapes[i].radius.has_value());
-        Real farthest = 0;
-        for (ContactPoint const& point : points_.back()->points()) farthest = std::max(farthest, point.centre.norm() + point.radius);
-        reach_.push_back(farthest);
-        targets.push_back({bodies[i]->name(), static_cast<int>(i), surfaceOf(shapes[i], spacing)});
-    }
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        for (Target const& target : targets)
-        {
-            if (target.body == static_cast<int>(i)) continue;
-            auto const properties = ContactProperties::readPair(contactProperties, common, bodies[i]->name(), target.name);
-            addPair(i, target, properties, bodies);
-        }
-    addStoppers(contactProperties.subDictOrEmpty("stoppers"), common, bodies);
+    for (RestingSurface const& wall : surfaces) targets_.push_back({wall.name, -1, wall.surface});
+    for (std::size_t i = 0; i < bodies.size(); ++i) addBody(shapes[i], *bodies[i]);
+    readPairs(contactProperties);
+    addStoppers(contactProperties.subDictOrEmpty("stoppers"), bodies);
     sums_.resize(bodies.size());
+    search(bodies, 0);
     checkStart(bodies);
 }
 
-void ContactModel::addPair(std::size_t body, Target const& target, ContactProperties const& properties, std::span<RigidBody* const> bodies)
+void ContactModel::addBody(ContactShape const& shape, RigidBody const& body)
 {
-    PairLoad load{bodies[body]->mass(), points_[body]->largestSide(), spacing_, thickness_, disc_[body]};
+    targets_.push_back({body.name(), static_cast<int>(points_.size()), surfaceOf(shape, spacing_)});
+    points_.push_back(std::make_shared<ContactPointSet>(shape, spacing_, thickness_));
+    disc_.push_back(shape.radius.has_value());
+    masses_.push_back(body.mass());
+    Box box;
+    Real reach = 0;
+    auto const add = [&](Vector const& r, Real radius) {
+        box.add(r - Vector::Constant(radius));
+        box.add(r + Vector::Constant(radius));
+        reach = std::max(reach, r.norm() + radius);
+    };
+    for (ContactPoint const& point : points_.back()->points()) add(point.centre, point.radius);
+    for (auto const& segment : shape.outline.segments()) add(segment.a, 0);
+    if (shape.skin)
+        for (Vector const& r : shape.skin->points()) add(r, 0);
+    broadPhase_.add(box, reach);
+}
+
+void ContactModel::addPair(Key const& key, std::size_t body, Target const& target, ContactProperties const& properties)
+{
+    PairLoad load{masses_[body], points_[body]->largestSide(), spacing_, thickness_, disc_[body]};
     if (target.body >= 0)
     {
         auto const other = static_cast<std::size_t>(target.body);
-        load.mass = std::max(load.mass, bodies[other]->mass());
+        load.mass = std::max(load.mass, masses_[other]);
         load.largestSide = std::min(load.largestSide, points_[other]->largestSide());
         load.disc = load.disc || disc_[other];
     }
     ContactMaterial const material = contactMaterial(properties, load, target.body < 0 ? 1 : 0.5);
     std::shared_ptr<ContactLaw const> const law = contactLaws().make(properties.law, properties.where, material);
-    pairs_.emplace_back(ContactPair::Parts{bodies[body]->name() + ":" + target.name, body, points_[body], target.body, target.surface, law,
-                                           properties.maxOverlap * spacing_});
-    properties_.push_back(properties);
-    materials_.push_back(material);
+    auto const place = static_cast<std::ptrdiff_t>(find(key));
+    keys_.insert(keys_.begin() + place, key);
+    pairs_.emplace(pairs_.begin() + place, ContactPair::Parts{this->target(body).name + ":" + target.name, body, points_[body], target.body,
+                                                              target.surface, law, properties.maxOverlap * spacing_});
+    properties_.insert(properties_.begin() + place, properties);
+    materials_.insert(materials_.begin() + place, material);
 }
 
-void ContactModel::addStoppers(Dictionary const& stoppers, ContactProperties const& common, std::span<RigidBody* const> bodies)
+void ContactModel::addStoppers(Dictionary const& stoppers, std::span<RigidBody* const> bodies)
 {
-    ContactProperties defaults = common;
+    ContactProperties defaults = common_;
+    int number = 0;
     defaults.mu = 0;
     defaults.e = 0.1;
     for (std::string const& name : stoppers.dictKeys())
@@ -126,7 +135,8 @@ void ContactModel::addStoppers(Dictionary const& stoppers, ContactProperties con
         if (type == "latch")
             latches_.emplace_back(name, body, point, normal);
         else
-            addPair(body, {name, -1, std::make_shared<PlaneSurface>(point, normal)}, ContactProperties::read(dict, defaults), bodies);
+            addPair({static_cast<int>(bodies.size()), number++}, body, {name, -1, std::make_shared<PlaneSurface>(point, normal)},
+                    ContactProperties::read(dict, defaults));
     }
 }
 
@@ -145,8 +155,9 @@ void ContactModel::checkStart(std::span<RigidBody* const> bodies) const
 
 void ContactModel::checkOverlap(std::span<RigidBody* const> bodies) const
 {
-    for (ContactPair const& pair : pairs_)
+    for (std::size_t const active : active_)
     {
+        ContactPair const& pair = pairs_[active];
         Real const overlap = pair.maxOverlap();
         if (overlap <= noticedOverlap * spacing_) continue;
         std::ostringstream text;
@@ -158,27 +169,6 @@ void ContactModel::checkOverlap(std::span<RigidBody* const> bodies) const
                             "at most 0.3 spacings: lower maxOverlap or raise impactSpeed in contactProperties");
         warn(text.str(), "overlap of contact " + pair.name(), 5);
     }
-}
-
-std::size_t ContactModel::contactCount() const
-{
-    std::size_t count = 0;
-    for (ContactPair const& pair : pairs_) count += pair.contacts().size();
-    return count;
-}
-
-Real ContactModel::maxOverlap() const
-{
-    Real most = 0;
-    for (ContactPair const& pair : pairs_) most = std::max(most, pair.maxOverlap());
-    return most;
-}
-
-Real ContactModel::elasticEnergy() const
-{
-    Real sum = 0;
-    for (ContactPair const& pair : pairs_) sum += pair.elasticEnergy();
-    return sum;
 }
 
 } // namespace mpsDem

@@ -11,7 +11,6 @@ namespace mpsDem {
 
 namespace {
 
-constexpr Real mayTouch = 5e-3; ///< Gap within which a point counts for the sub-step [m].
 constexpr Real mostSubSteps = 2000;
 constexpr Real mostTravel = 0.2; ///< Part of the spacing that a point may move in a sub-step.
 
@@ -28,17 +27,19 @@ Real eigenfrequency(RigidBody const& body, Matrix6 const& stiffness)
 
 Real ContactModel::speed(RigidBody const& body, std::size_t index) const
 {
-    return body.velocity().norm() + body.angularVelocity().norm() * reach_[index];
+    return body.velocity().norm() + body.angularVelocity().norm() * broadPhase_.reach(index);
 }
 
-int ContactModel::subSteps(std::span<RigidBody* const> bodies, Real dt) const
+int ContactModel::subSteps(std::span<RigidBody* const> bodies, Real dt)
 {
+    search(bodies, dt);
     stiffness_.assign(bodies.size(), Matrix6::Zero());
     movable_.clear();
     for (RigidBody const* body : bodies) movable_.push_back(!immovable(*body));
     Real fastest = 0;
-    for (ContactPair const& pair : pairs_)
+    for (std::size_t const active : active_)
     {
+        ContactPair const& pair = pairs_[active];
         std::size_t const a = pair.parts().body;
         int const b = pair.parts().other;
         if (!movable_[a] && (b < 0 || !movable_[static_cast<std::size_t>(b)])) continue;
@@ -60,6 +61,7 @@ int ContactModel::subSteps(std::span<RigidBody* const> bodies, Real dt) const
 
 void ContactModel::addTo(std::span<RigidBody* const> bodies, Real h)
 {
+    if (!searched_ || !broadPhase_.covers(bodies)) search(bodies, std::max(h, searchTime_));
     for (Latch& latch : latches_) latch.check(*bodies[latch.body()], *points_[latch.body()]);
     for (std::size_t i = 0; i < bodies.size(); ++i)
     {
@@ -68,13 +70,14 @@ void ContactModel::addTo(std::span<RigidBody* const> bodies, Real h)
         sums_[i] = BodyContactSums();
         sums_[i].immovable = immovable(*bodies[i]);
     }
-    for (ContactPair& pair : pairs_)
+    for (std::size_t const active : active_)
     {
-        pair.detect(bodies, dissipation_);
-        pair.addSums(sums_);
+        pairs_[active].detect(bodies, dissipation_);
+        pairs_[active].addSums(sums_);
     }
-    for (ContactPair& pair : pairs_)
+    for (std::size_t const active : active_)
     {
+        ContactPair& pair = pairs_[active];
         if (pair.contacts().empty()) continue;
         pair.shareMass(bodies, sums_);
         pair.addForces(bodies, h, dissipation_);
@@ -99,43 +102,10 @@ void ContactModel::report(std::ostream& os, std::span<RigidBody* const> bodies) 
            << " points, stiffness of the longest side " << stiffness << " N/m, damping ratio " << materials_[i].zeta
            << ", overlap by the weight " << 9.81 * mass / stiffness << " m, sub-step " << step << " s\n";
     }
+    std::size_t const all = points_.size() * (points_.size() - std::min<std::size_t>(points_.size(), 1));
+    if (std::count_if(keys_.begin(), keys_.end(), [&](Key const& key) { return betweenBodies(key); }) < static_cast<std::ptrdiff_t>(all))
+        os << "contact of body with body: the other pairs are made as soon as two bodies come near one another\n";
     for (Latch const& latch : latches_) os << "contact " << bodies[latch.body()]->name() << ":" << latch.name() << ": latch\n";
-}
-
-void ContactModel::save(State& state) const
-{
-    for (ContactPair const& pair : pairs_) pair.save(state);
-    for (Latch const& latch : latches_) latch.save(state);
-    Real const energy[] = {dissipation_.normal, dissipation_.tangential};
-    state.set("contact/dissipation", std::span<Real const>(energy));
-}
-
-void ContactModel::load(State const& state)
-{
-    for (ContactPair& pair : pairs_) pair.load(state);
-    for (Latch& latch : latches_) latch.load(state);
-    State::Reals const& energy = state.reals("contact/dissipation");
-    if (energy.size() != 2) throw CaseError(ExitCode::InputOutput, "contact/dissipation has a wrong length", "2 numbers");
-    dissipation_ = {energy[0], energy[1]};
-}
-
-void ContactModel::copyTo(History& history) const
-{
-    history.contacts.resize(pairs_.size());
-    for (std::size_t k = 0; k < pairs_.size(); ++k)
-    {
-        history.contacts[k].reserve(pairs_[k].contacts().capacity());
-        history.contacts[k] = pairs_[k].contacts();
-    }
-    history.latches = latches_;
-    history.dissipation = dissipation_;
-}
-
-void ContactModel::restore(History const& history)
-{
-    for (std::size_t k = 0; k < pairs_.size(); ++k) pairs_[k].restore(history.contacts[k]);
-    latches_ = history.latches;
-    dissipation_ = history.dissipation;
 }
 
 } // namespace mpsDem

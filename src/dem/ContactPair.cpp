@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace mpsDem {
 
@@ -34,7 +35,22 @@ Real inverseMassAt(RigidBody const& body, Vector const& r, Vector const& n)
 
 bool immovable(RigidBody const& body) { return body.locked() || body.freeDirections() == 0; }
 
-ContactPair::ContactPair(Parts parts) : parts_(std::move(parts)) {}
+ContactPair::ContactPair(Parts parts) : parts_(std::move(parts)) { watchAll(); }
+
+void ContactPair::watchAll()
+{
+    watched_.resize(parts_.points->points().size());
+    std::iota(watched_.begin(), watched_.end(), 0);
+    spheres_.reserve(watched_.size());
+}
+
+void ContactPair::watch(std::span<RigidBody* const> bodies, Real reach)
+{
+    watchAll();
+    placeSpheres(bodies);
+    watched_.clear(); // all points were placed: the number of a sphere is that of its point
+    parts_.surface->findNear(spheres_, reach, watched_);
+}
 
 Real ContactPair::maxOverlap() const
 {
@@ -54,7 +70,11 @@ void ContactPair::placeSpheres(std::span<RigidBody* const> bodies) const
 {
     RigidBody const& body = *bodies[parts_.body];
     spheres_.clear();
-    for (ContactPoint const& point : parts_.points->points()) spheres_.push_back({body.toSpace(point.centre), point.radius});
+    for (int const number : watched_)
+    {
+        ContactPoint const& point = parts_.points->points()[static_cast<std::size_t>(number)];
+        spheres_.push_back({body.toSpace(point.centre), point.radius});
+    }
     if (parts_.other < 0) return;
     RigidBody const& other = *bodies[static_cast<std::size_t>(parts_.other)];
     Tensor const toSurface = other.rotation().transpose();
@@ -68,10 +88,11 @@ Vector ContactPair::toSpace(std::span<RigidBody* const> bodies, Vector const& di
 
 Contact ContactPair::makeContact(std::span<RigidBody* const> bodies, ContactFeature const& feature) const
 {
-    ContactPoint const& point = parts_.points->points()[static_cast<std::size_t>(feature.sphere)];
+    int const number = watched_[static_cast<std::size_t>(feature.sphere)];
+    ContactPoint const& point = parts_.points->points()[static_cast<std::size_t>(number)];
     RigidBody const& body = *bodies[parts_.body];
     Contact contact;
-    contact.point = feature.sphere;
+    contact.point = number;
     contact.patch = feature.patch;
     contact.normal = toSpace(bodies, feature.normal);
     contact.overlap = -feature.gap;
@@ -96,9 +117,10 @@ void ContactPair::detect(std::span<RigidBody* const> bodies, ContactDissipation&
     std::size_t old = 0;
     for (std::size_t first = 0; first < features_.size();)
     {
-        int const point = features_[first].sphere;
+        int const sphere = features_[first].sphere;
+        int const point = watched_[static_cast<std::size_t>(sphere)];
         std::size_t const newBegin = contacts_.size();
-        for (; first < features_.size() && features_[first].sphere == point; ++first)
+        for (; first < features_.size() && features_[first].sphere == sphere; ++first)
             contacts_.push_back(makeContact(bodies, features_[first]));
         while (old < previous_.size() && previous_[old].point < point) ++old;
         std::size_t oldEnd = old;

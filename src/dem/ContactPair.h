@@ -46,6 +46,12 @@ public:
     [[nodiscard]] Real maxOverlap() const;
     [[nodiscard]] Real elasticEnergy() const;
 
+    /// Notes which points may touch as long as body and surface come nearer by no more than `reach` [m]; all functions below look at these
+    /// only. Before the first call all points are looked at.
+    void watch(std::span<RigidBody* const> bodies, Real reach);
+    void watchNothing() { watched_.clear(); }
+    [[nodiscard]] std::vector<int> const& watched() const { return watched_; }
+
     /// Finds all touching points and hands the history of the last sub-step on to them. A contact inherits from the
     /// one of the same point and patch, else from one of the same point that has ended on a neighbouring patch with a similar normal.
     /// What ends is erased.
@@ -69,6 +75,7 @@ public:
     void restore(std::vector<Contact> const& contacts) { contacts_ = contacts; }
 
 private:
+    void watchAll();
     void placeSpheres(std::span<RigidBody* const> bodies) const;
     [[nodiscard]] Vector toSpace(std::span<RigidBody* const> bodies, Vector const& direction) const;
     [[nodiscard]] Contact makeContact(std::span<RigidBody* const> bodies, ContactFeature const& feature) const;
@@ -80,7 +87,8 @@ private:
     std::vector<Contact> contacts_;                ///< Sorted by point and patch.
     std::vector<Contact> previous_;                ///< Those of the last sub-step.
     std::vector<char> inherited_;                  ///< For each of previous_.
-    mutable std::vector<Sphere> spheres_;          ///< Scratch.
+    std::vector<int> watched_;                     ///< Numbers of points, rising.
+    mutable std::vector<Sphere> spheres_;          ///< Scratch: of the watched points.
     mutable std::vector<ContactFeature> features_; ///< Scratch.
 };
 

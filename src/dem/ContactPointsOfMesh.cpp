@@ -70,21 +70,6 @@ private:
     }
 };
 
-/// Nearest point of a triangle to r.
-Vector nearestOn(MeshFace const& face, Vector const& r)
-{
-    if (face.beyond(0, r) <= 0 && face.beyond(1, r) <= 0 && face.beyond(2, r) <= 0) return r - face.height(r) * face.normal;
-    Vector best = face.corner[0];
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-        Vector const side = face.corner[(k + 1) % 3] - face.corner[k];
-        Real const along = std::clamp((r - face.corner[k]).dot(side) / side.squaredNorm(), Real(0), Real(1));
-        Vector const point = face.corner[k] + along * side;
-        if ((point - r).squaredNorm() < (best - r).squaredNorm()) best = point;
-    }
-    return best;
-}
-
 /// A sphere of one face stays clear of faces beyond a sharp edge by this part of its radius, so that they touch with their own points only.
 constexpr Real clearance = 0.25;
 
@@ -98,7 +83,7 @@ Real inscribedRadius(MeshSurface const& skin, int face, Vector const& r, Real ra
     auto const fits = [&](Real candidate) {
         Vector const centre = r - candidate * at(face).normal;
         return std::all_of(near.begin(), near.end(), [&](int f) {
-            return at(f).patch == at(face).patch || (nearestOn(at(f), centre) - centre).norm() >= candidate * room(f);
+            return at(f).patch == at(face).patch || (at(f).nearest(centre) - centre).norm() >= candidate * room(f);
         });
     };
     if (fits(radius)) return radius;
@@ -119,7 +104,7 @@ int nearestTriangle(MeshSurface const& skin, Pieces const& pieces, std::size_t p
     skin.grid().near(r, spacing, near);
     std::erase_if(near, [&](int f) { return pieces.ofTriangle[static_cast<std::size_t>(f)] != static_cast<int>(piece); });
     std::vector<int> const& choice = near.empty() ? pieces.triangles[piece] : near;
-    auto const distance = [&](int f) { return (nearestOn(skin.faces()[static_cast<std::size_t>(f)], r) - r).squaredNorm(); };
+    auto const distance = [&](int f) { return (skin.faces()[static_cast<std::size_t>(f)].nearest(r) - r).squaredNorm(); };
     return *std::min_element(choice.begin(), choice.end(), [&](int a, int b) { return distance(a) < distance(b); });
 }
 
@@ -193,7 +178,7 @@ void ContactPointSet::addSurface(TriSurface const& surface, Real spacing)
         {
             int const face = nearestTriangle(skin, pieces, p, tile.centre, spacing);
             MeshFace const& side = skin.faces()[static_cast<std::size_t>(face)];
-            Vector const r = nearestOn(side, tile.centre);
+            Vector const r = side.nearest(tile.centre);
             Real const radius = inscribedRadius(skin, face, r, 0.5 * spacing);
             Real const area = tile.area * left[p] / pieces.area[p];
             points_.push_back({r - radius * side.normal, radius, 0.5 * spacing, area, area / cell});

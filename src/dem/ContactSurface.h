@@ -39,7 +39,7 @@ struct Box
     [[nodiscard]] Real distance(Vector const& r) const { return (low - r).cwiseMax(r - high).cwiseMax(0).norm(); }
 };
 
-/// What contact points can touch. Polylines, planes and discs in 2-D; a triangle surface would be another child.
+/// What contact points can touch: polylines and discs in 2-D, triangle surfaces and balls in 3-D, planes.
 class ContactSurface
 {
 public:
@@ -51,7 +51,14 @@ public:
     /// faces before corners, the deepest first.
     /// @param reach  0 for contact; above it for what could touch soon [m].
     virtual void collect(std::span<Sphere const> spheres, Real reach, std::vector<ContactFeature>& features) const = 0;
+
+    /// Appends the numbers, rising, of all spheres that may touch once they have moved by no more than `reach` [m], whatever side of the
+    /// surface they are on, and perhaps of some others.
+    virtual void findNear(std::span<Sphere const> spheres, Real reach, std::vector<int>& numbers) const = 0;
 };
+
+/// A centre may be found so many depths away from a surface: beyond the end of a face in a valley, one depth behind it.
+inline constexpr Real farthestDepths = 1.5;
 
 /// Normals with a greater cosine count as one direction: cos 5 deg.
 inline constexpr Real sameDirection = 0.99619469809174555;

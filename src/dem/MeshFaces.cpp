@@ -88,6 +88,20 @@ std::array<bool, 3> rimsOf(MeshFace const& face, TriSurface const& surface)
 
 } // namespace
 
+Vector MeshFace::nearest(Vector const& r) const
+{
+    if (beyond(0, r) <= 0 && beyond(1, r) <= 0 && beyond(2, r) <= 0) return r - height(r) * normal;
+    Vector best = corner[0];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+        Vector const side = corner[(k + 1) % 3] - corner[k];
+        Real const along = std::clamp((r - corner[k]).dot(side) / side.squaredNorm(), Real(0), Real(1));
+        Vector const point = corner[k] + along * side;
+        if ((point - r).squaredNorm() < (best - r).squaredNorm()) best = point;
+    }
+    return best;
+}
+
 std::vector<MeshFace> meshFaces(TriSurface const& surface)
 {
     std::vector<MeshFace> faces;

@@ -22,6 +22,8 @@ struct MeshFace
     /// Length by which r lies beyond side k [m]; negative inside.
     [[nodiscard]] Real beyond(std::size_t k, Vector const& r) const { return (r - corner[k]).dot(outward[k]); }
     [[nodiscard]] Real height(Vector const& r) const { return (r - corner[0]).dot(normal); }
+    /// Nearest point of the triangle to r.
+    [[nodiscard]] Vector nearest(Vector const& r) const;
 };
 
 /// An edge as contact needs it: it runs from a to b, in the sense of rotation of `left`.

@@ -271,4 +271,20 @@ void MeshSurface::collect(std::span<Sphere const> spheres, Real reach, std::vect
     }
 }
 
+void MeshSurface::findNear(std::span<Sphere const> spheres, Real reach, std::vector<int>& numbers) const
+{
+    thread_local std::vector<int> near;
+    for (std::size_t i = 0; i < spheres.size(); ++i)
+    {
+        Vector const& centre = spheres[i].centre;
+        Real const limit = std::max(farthestDepths * depth_, spheres[i].radius) + reach;
+        grid_.near(centre, limit, near);
+        auto const isNear = [&](int f) {
+            MeshFace const& face = faces_[static_cast<std::size_t>(f)];
+            return std::abs(face.height(centre)) <= limit && (face.nearest(centre) - centre).squaredNorm() <= limit * limit;
+        };
+        if (std::any_of(near.begin(), near.end(), isNear)) numbers.push_back(static_cast<int>(i));
+    }
+}
+
 } // namespace mpsDem

@@ -30,6 +30,7 @@ public:
     MeshSurface(TriSurface const& surface, Real depth) : MeshSurface(std::span<TriSurface const>(&surface, 1), 0, depth) {}
 
     void collect(std::span<Sphere const> spheres, Real reach, std::vector<ContactFeature>& features) const override;
+    void findNear(std::span<Sphere const> spheres, Real reach, std::vector<int>& numbers) const override;
 
     /// Numbers of triangles near a place, for whoever measures the inside of a body.
     [[nodiscard]] TriangleGrid const& grid() const { return grid_; }

@@ -123,4 +123,17 @@ void PolylineSurface::collect(std::span<Sphere const> spheres, Real reach, std::
     }
 }
 
+void PolylineSurface::findNear(std::span<Sphere const> spheres, Real reach, std::vector<int>& numbers) const
+{
+    thread_local std::vector<int> sides;
+    for (std::size_t i = 0; i < spheres.size(); ++i)
+    {
+        Vector const& centre = spheres[i].centre;
+        Real const limit = std::max(farthestDepths * depth_, spheres[i].radius) + reach;
+        grid_.near(centre, limit, sides);
+        auto const isNear = [&](int side) { return distanceTo(facets_[static_cast<std::size_t>(side)], centre) <= limit; };
+        if (std::any_of(sides.begin(), sides.end(), isNear)) numbers.push_back(static_cast<int>(i));
+    }
+}
+
 } // namespace mpsDem

@@ -18,6 +18,7 @@ public:
     PolylineSurface(Polyline const& line, Real depth, std::vector<Polyline> const& others = {});
 
     void collect(std::span<Sphere const> spheres, Real reach, std::vector<ContactFeature>& features) const override;
+    void findNear(std::span<Sphere const> spheres, Real reach, std::vector<int>& numbers) const override;
 
     [[nodiscard]] std::vector<Facet> const& facets() const { return facets_; }
 

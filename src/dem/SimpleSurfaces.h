@@ -12,6 +12,7 @@ public:
     PlaneSurface(Vector const& point, Vector const& normal) : point_(point), normal_(normal.normalized()) {}
 
     void collect(std::span<Sphere const> spheres, Real reach, std::vector<ContactFeature>& features) const override;
+    void findNear(std::span<Sphere const> spheres, Real reach, std::vector<int>& numbers) const override;
 
 private:
     Vector point_;
@@ -25,6 +26,7 @@ public:
     explicit DiscSurface(Real radius) : radius_(radius) {}
 
     void collect(std::span<Sphere const> spheres, Real reach, std::vector<ContactFeature>& features) const override;
+    void findNear(std::span<Sphere const> spheres, Real reach, std::vector<int>& numbers) const override;
 
 private:
     Real radius_;

@@ -195,4 +195,33 @@ TEST(MeshSurface, ridgeBetweenTwoSurfacesTouchesOnce)
     EXPECT_LE(count({0.005, 0.005, 0.006}), 1u);
 }
 
+// What findNear leaves out touches nothing wherever it is moved by the reach: faces, edges, valleys, and behind the surface.
+TEST(MeshSurface, findNearMissesNothing)
+{
+    std::mt19937 random(3);
+    auto const between = [&](Real low, Real high) { return low + (high - low) * static_cast<Real>(random()) / 4294967296.0; };
+    auto const anywhere = [&](Real size) { return Vector(between(-size, size), between(-size, size), between(-size, size)); };
+    Real const reach = 0.015;
+    int touching = 0, leftOut = 0;
+    for (TriSurface const& surface : {room(), cube(), TriSurface::sphere("ball", Vector::Zero(), 0.5, 0.05)})
+    {
+        MeshSurface const mesh(surface, depth);
+        for (int i = 0; i < 20000; ++i)
+        {
+            Vector const foot = surface.centre(surface.triangles()[random() % surface.triangles().size()]);
+            std::vector<Sphere> const sphere{
+                {foot.cwiseProduct(anywhere(1).cwiseAbs()) + anywhere(0.1), i % 3 == 0 ? 0 : between(0, 0.05)}};
+            std::vector<int> found;
+            mesh.findNear(sphere, reach, found);
+            Vector const moved = sphere[0].centre + between(0, reach) * anywhere(1).normalized();
+            bool const touches = !touch(mesh, moved, sphere[0].radius).empty();
+            touching += touches;
+            leftOut += found.empty();
+            EXPECT_FALSE(touches && found.empty()) << sphere[0].centre.transpose() << " r " << sphere[0].radius;
+        }
+    }
+    EXPECT_GT(touching, 1000);
+    EXPECT_GT(leftOut, 1000);
+}
+
 } // namespace mpsDem::test

@@ -50,28 +50,32 @@ TEST(SolidContact, impactsGainNoEnergy)
 {
     std::vector<Quaternion> const poses{Quaternion::Identity(), turned(std::numbers::pi / 4, Vector::UnitX()),
                                         Quaternion::FromTwoVectors(Vector(-1, -1, -1), -Vector::UnitZ()), turned(0.4, Vector(1, 2, 0.3))};
-    Real gained = 0, overlap = 0, lost = 0;
+    Real gained = 0, overlap = 0, balance = 0;
     for (Quaternion const& pose : poses)
         for (Real const speed : {0.5, 1.0, 3.0})
             for (Real const e : {0.2, 1.0})
-            {
-                SolidScene scene;
-                scene.walls = {floorMesh(1)};
-                RigidBody& cube = scene.addCuboid("cube", cubeSize, 1000, {0, 0, 1e-3 + standingHeight(pose)}, pose);
-                cube.setVelocity({0, 0, -speed}, Vector::Zero());
-                scene.build("mu 0.3; e " + std::to_string(e) + "; impactSpeed " + std::to_string(speed) + ";");
-                Real const before = scene.energy();
-                for (Real t = 0; t < 0.01; t += 5e-4)
+                for (Real const dt : {5e-4, 2e-3})
                 {
-                    scene.step(5e-4);
-                    overlap = std::max(overlap, scene.contact->maxOverlap() / scene.spacing);
-                    gained = std::max(gained, scene.energy() / before - 1);
-                    lost = std::max(lost, 1 - scene.energy() / before);
+                    SolidScene scene;
+                    scene.walls = {floorMesh(1)};
+                    RigidBody& cube = scene.addCuboid("cube", cubeSize, 1000, {0, 0, 1e-3 + standingHeight(pose)}, pose);
+                    cube.setVelocity({0, 0, -speed}, Vector::Zero());
+                    scene.build("mu 0.3; e " + std::to_string(e) + "; impactSpeed " + std::to_string(speed) + ";");
+                    Real const before = scene.kineticEnergy();
+                    std::size_t touched = 0;
+                    while (scene.time < 1 && (touched == 0 || scene.contact->contactCount() > 0))
+                    {
+                        scene.step(dt, 1, [&] {
+                            touched = std::max(touched, scene.contact->contactCount());
+                            overlap = std::max(overlap, scene.contact->maxOverlap() / scene.spacing);
+                        });
+                    }
+                    EXPECT_GT(touched, 0u);
+                    gained = std::max(gained, scene.kineticEnergy() / before - 1);
+                    balance = std::max(balance, std::abs(scene.energy() / before - 1));
                 }
-                EXPECT_GT(cube.velocity().z(), -speed * 0.999);
-            }
-    expectBelow("impacts of a cube, largest relative gain of energy", gained, 1e-3);
-    expectBelow("impacts of a cube, largest relative loss beyond the heat", lost, 5e-3);
+    expectBelow("impacts of a cube, largest relative gain of kinetic energy", gained, 1e-3);
+    expectBelow("impacts of a cube, energy budget, relative", balance, 1e-2);
     expectBelow("impacts of a cube, largest overlap / spacing", overlap, 0.06);
 }
 
@@ -117,29 +121,33 @@ TEST(SolidContact, threeStackedCubesStandStill)
         scene.addCuboid("cube" + std::to_string(i), cubeSize, 1000, {0.013 * i, -0.007 * i, side * (i + 0.5)},
                         turned(0.1 * i, Vector::UnitZ()));
     scene.build("mu 0.5; e 0.1; impactSpeed 0.1;");
-    for (int i = 0; i < 100; ++i) scene.step(5e-3);
-    std::vector<Vector> start;
-    for (RigidBody const* cube : scene.pointers) start.push_back(cube->centre());
+    auto const places = [&] {
+        std::vector<Vector> centres;
+        for (RigidBody const* cube : scene.pointers) centres.push_back(cube->centre());
+        return centres;
+    };
+    auto const moved = [&](std::vector<Vector> const& from) {
+        Real most = 0;
+        for (std::size_t i = 0; i < from.size(); ++i) most = std::max(most, (scene.pointers[i]->centre() - from[i]).norm());
+        return most;
+    };
+    std::vector<Vector> const start = places();
+    for (int i = 0; i < 600; ++i) scene.step(5e-3);
+    std::vector<Vector> const settled = places();
     Real energy = 0;
-    for (int i = 0; i < 1900; ++i)
+    for (int i = 0; i < 1400; ++i)
     {
         scene.step(5e-3);
         energy = std::max(energy, scene.kineticEnergy());
     }
-    Real moved = 0;
-    for (std::size_t i = 0; i < 3; ++i) moved = std::max(moved, (scene.pointers[i]->centre() - start[i]).norm());
-    expectBelow("three cubes, displacement from 0.5 to 10 s [m]", moved, 1e-6);
+    Real carried = 0;
+    for (ContactPair const& pair : scene.contact->pairs())
+        if (pair.parts().other < 0)
+            for (Contact const& contact : pair.contacts()) carried += contact.normalForce.z();
+    expectBelow("three cubes, displacement in 10 s / spacing", moved(start) / scene.spacing, 0.02);
+    expectBelow("three cubes, displacement from 3 to 10 s [m]", moved(settled), 1e-6);
     expectBelow("three cubes, largest kinetic energy / (weight x spacing)", energy / (24 * g * scene.spacing), 1e-9);
-    expectBelow(
-        "three cubes, force on the lowest / weight of all - 1",
-        [&] {
-            Real sum = 0;
-            for (ContactPair const& pair : scene.contact->pairs())
-                if (pair.parts().other < 0)
-                    for (Contact const& contact : pair.contacts()) sum += contact.normalForce.z();
-            return sum / (24 * g) - 1;
-        }(),
-        1e-6);
+    expectBelow("three cubes, force of the floor / weight of all - 1", carried / (24 * g) - 1, 1e-6);
 }
 
 } // namespace mpsDem::test

@@ -43,11 +43,11 @@ TEST(SolidIncline, slidesAsCoulombSays)
         for (Real const yaw : {0.0, 0.5})
         {
             auto scene = blockOnPlane(mu, pi / 4, 0.04, floorMesh(), mu > 0.5 ? 2e11 : 1e9, yaw);
-            run(*scene, 100);
-            Real const exact = 0.5 * g * (1 - mu) / std::numbers::sqrt2 * 0.04;
+            run(*scene, 200);
+            Real const exact = 0.5 * g * (1 - mu) / std::numbers::sqrt2 * 0.16;
             expectBelow("block on 45 deg, mu " + std::to_string(mu) + ", yaw " + std::to_string(yaw) + ", relative error of path",
                         scene->pointers[0]->centre().x() / exact - 1, 1e-3);
-            expectBelow("  sideways [m]", scene->pointers[0]->centre().y(), 1e-6);
+            expectBelow("  sideways [m]", scene->pointers[0]->centre().y(), 1e-5);
         }
 }
 
@@ -114,7 +114,8 @@ TEST(SolidIncline, cutsOfThePlaneAreNotFelt)
         block.setVelocity({1, 0.3, 0}, {0, 0, 4});
         Real const weight = block.mass() * g * std::cos(pi / 6);
         Real least = 1e300, most = 0;
-        for (int i = 0; i < 100; ++i)
+        run(*scene, 30); // friction presses the front down at first
+        for (int i = 0; i < 70; ++i)
             scene->step(0.002, 1, [&] {
                 least = std::min(least, block.contactNormal.force.z());
                 most = std::max(most, block.contactNormal.force.z());
