@@ -8,10 +8,12 @@ PressureSource::PressureSource(Dictionary const& dict, SchemeSet set, Lattice co
     : density_(density)
 {
     bool const paper = set == SchemeSet::Paper;
+    // In 3-D the number density of a disordered cloud lies below that of the lattice: it would be pressed together by one percent.
+    bool const spatial = !paper && lattice.dimensions == 3;
     std::string const type = dict.getWordOr("type", "mixed", {"mixed", "density", "divergence"}, "source schemes");
     type_ = type == "density" ? Type::Density : type == "divergence" ? Type::Divergence : Type::Mixed;
-    corrected_ = dict.getWordOr("divergence", "plain", {"plain", "corrected"}, "forms of eq 5") == "corrected";
-    if (dict.getWordOr("density", "number", {"number", "smooth"}, "measures of density") == "smooth")
+    corrected_ = dict.getWordOr("divergence", spatial ? "corrected" : "plain", {"plain", "corrected"}, "forms of eq 5") == "corrected";
+    if (dict.getWordOr("density", spatial ? "smooth" : "number", {"number", "smooth"}, "measures of density") == "smooth")
         smooth_.emplace(lattice, gradientRadius);
     bool const fixedGamma = dict.found("gamma") && !dict.found("relaxationTime");
     relaxationTime_ = dict.getInRangeOr("relaxationTime", paper || fixedGamma ? 0 : 0.05, 0, 10);

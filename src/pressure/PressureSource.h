@@ -21,8 +21,8 @@ namespace mpsDem {
 /// | gamma | gamma where relaxationTime is 0 | - | 0.01 | 0..1 |
 /// | maxGamma | upper bound of dt/tau | - | 0.1 | 0..1 |
 /// | densityClip | bound of abs(e); 0: none. A clip of 0.02 leaves foam above the submarine wedge that never closes | - | 0 | 0..1 |
-/// | divergence | plain (eq 5), corrected (CorrectedDivergence.h) for fluid particles | - | plain | - |
-/// | density | number (e as above), smooth (SmoothDensity) for fluid particles that have no surface beside them | - | number | - |
+/// | divergence | plain (eq 5), corrected (CorrectedDivergence.h) for fluid particles | - | plain; standard in 3-D: corrected | - |
+/// | density | number (e as above), smooth (SmoothDensity) for fluid particles that have no surface beside them | - | number; standard in 3-D: smooth | - |
 /// | rampSteps | gamma grows from 0 over the first steps of a run from rest | - | 20, 0 | 0..1000 |
 class PressureSource
 {
