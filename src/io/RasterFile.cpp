@@ -54,7 +54,8 @@ public:
     {
         auto const number = words_.number();
         if (!number)
-            fail(words_.line(), words_.shown() + " instead of the height in row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1),
+            fail(words_.line(),
+                 words_.shown() + " instead of the height in row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1),
                  words_.done() ? "ncols times nrows heights; the file is cut off" : "a number");
         bool const missing = *number == header.missing || (std::isnan(*number) && std::isnan(header.missing));
         check(missing || std::abs(*number) <= farthest, words_.line(),
@@ -109,7 +110,8 @@ private:
     [[nodiscard]] int count(std::string const& key) const
     {
         Real const number = value(key);
-        check(number >= 1 && number <= 1e6 && number == std::floor(number), at(key), key + " " + shortNumber(number), "a whole number from 1 to 1e6");
+        check(number >= 1 && number <= 1e6 && number == std::floor(number), at(key), key + " " + shortNumber(number),
+              "a whole number from 1 to 1e6");
         return static_cast<int>(number);
     }
 
@@ -158,7 +160,8 @@ Samples readSamples(Reader& reader, Header const& header, int every)
 /// Triangles of the square whose north-western sample is (row, column), counter-clockwise from above, by the numbers of samples.
 void addSquare(Samples const& samples, int row, int column, std::vector<std::array<std::size_t, 3>>& triangles)
 {
-    std::array<std::size_t, 4> const corner{samples.index(row + 1, column), samples.index(row + 1, column + 1), samples.index(row, column + 1),
+    std::array<std::size_t, 4> const corner{samples.index(row + 1, column), samples.index(row + 1, column + 1),
+                                            samples.index(row, column + 1),
                                             samples.index(row, column)}; // south-west, south-east, north-east, north-west
     auto const height = [&](std::size_t k) { return samples.height[corner[k % 4]]; };
     int missing = 0;
@@ -220,7 +223,8 @@ TriSurface readRaster(std::filesystem::path const& file, std::string const& name
     std::vector<std::array<std::size_t, 3>> squares;
     for (int row = 0; row + 1 < samples.rows; ++row)
         for (int column = 0; column + 1 < samples.columns; ++column) addSquare(samples, row, column, squares);
-    require(!squares.empty(), where, "the raster has no square of heights", "two rows and two columns or more with heights that are not NODATA_value");
+    require(!squares.empty(), where, "the raster has no square of heights",
+            "two rows and two columns or more with heights that are not NODATA_value");
 
     return joined(samples, squares, header, options, name);
 }

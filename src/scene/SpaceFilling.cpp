@@ -29,13 +29,17 @@ std::array<Vector, samples> evenPoints()
     return points;
 }
 
-/// A number known at the corners of the unit cube, linear along each axis between them.
-Real between(std::array<Real, 8> const& value, Vector const& x)
+/// A number known at the corners of the unit cube, linear along each axis between them, and at its middle: what is missing there is added as a
+/// bubble that vanishes at the sides.
+Real between(std::array<Real, 8> const& value, Real atMiddle, Vector const& x)
 {
+    Real mean = 0;
+    for (Real const v : value) mean += v / 8;
+    Real const bubble = 64 * (x.array() * (1 - x.array())).prod();
     Real const a = value[0] + x.x() * (value[1] - value[0]), b = value[2] + x.x() * (value[3] - value[2]);
     Real const c = value[4] + x.x() * (value[5] - value[4]), d = value[6] + x.x() * (value[7] - value[6]);
     Real const low = a + x.y() * (b - a), high = c + x.y() * (d - c);
-    return low + x.z() * (high - low);
+    return low + x.z() * (high - low) + (atMiddle - mean) * bubble;
 }
 
 /// What is known at the corners of the cells of one layer, asked for when it is needed.
@@ -128,9 +132,12 @@ private:
         Vector r = cells_.middle(i, j, k);
         if (!boxes_.touch(r, r)) return;
         int const region = lastRegion(regions_, r);
+        auto const corners = regionNodes_.corners(i, j, k, [&](Vector const& corner) { return inRegion(corner) ? 1 : 0; });
+        bool const uniform = std::all_of(corners.begin(), corners.end(), [&](Real value) { return (value > 0) == (region >= 0); });
+        if (uniform && region < 0) return;
         Real const toWall = walls_.coarse.distance(i, j, k, r), toBody = bodies_.coarse.distance(i, j, k, r);
         Real const toSolid = std::min(toWall, toBody);
-        fluid_.volume += share({i, j, k}, toWall, toBody, region >= 0);
+        fluid_.volume += share({i, j, k}, toWall, toBody, uniform);
         if (region < 0) return;
         ++fluid_.count[static_cast<std::size_t>(region)];
         if (toSolid < (clearance - 1e-9) * cells_.spacing) return;
@@ -146,13 +153,11 @@ private:
     }
 
     /// Share of a cell that is in a region and in no solid. Solids are taken as the distances at its corners have them, linear in between.
-    [[nodiscard]] Real share(std::array<std::int64_t, 3> const& cell, Real toWall, Real toBody, bool middleInRegion)
+    /// @param uniform  All of it is in a region.
+    [[nodiscard]] Real share(std::array<std::int64_t, 3> const& cell, Real toWall, Real toBody, bool uniform)
     {
         Real const toSolid = std::min(toWall, toBody);
         if (toSolid <= -halfDiagonal * cells_.spacing) return 0;
-        auto const inside = regionNodes_.corners(cell[0], cell[1], cell[2], [&](Vector const& r) { return inRegion(r) ? 1 : 0; });
-        bool const uniform = std::all_of(inside.begin(), inside.end(), [&](Real value) { return (value > 0) == middleInRegion; });
-        if (uniform && !middleInRegion) return 0;
         std::array<Real, 8> wall, body;
         bool const wallCuts = cuts(walls_, cell, toWall, wall), bodyCuts = cuts(bodies_, cell, toBody, body);
         if (uniform && !wallCuts && !bodyCuts) return toSolid > 0 ? 1 : 0;
@@ -160,7 +165,7 @@ private:
         int count = 0;
         for (Vector const& x : points_)
         {
-            bool const free = between(wall, x) > 0 && between(body, x) > 0;
+            bool const free = between(wall, toWall, x) > 0 && between(body, toBody, x) > 0;
             if (free && (uniform || inRegion(corner + cells_.spacing * x))) ++count;
         }
         return static_cast<Real>(count) / samples;

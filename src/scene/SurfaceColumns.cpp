@@ -64,10 +64,14 @@ void SurfaceColumns::sortTriangles()
     first_.assign(at(countX_) * at(countY_) + 1, 0);
     for (Box const& box : boxes) forCells(box, [&](std::size_t cell) { ++first_[cell + 1]; });
     for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
-    sorted_.resize(at(first_.back()));
+    items_.resize(at(first_.back()));
     Field<int> next = first_;
     for (std::size_t t = 0; t < boxes.size(); ++t)
-        forCells(boxes[t], [&](std::size_t cell) { sorted_[at(next[cell]++)] = static_cast<int>(t); });
+    {
+        auto const& [low, high] = boxes[t];
+        Item const item{low.x(), high.x(), low.y(), high.y(), high.z(), static_cast<int>(t)};
+        forCells(boxes[t], [&](std::size_t cell) { items_[at(next[cell]++)] = item; });
+    }
 }
 
 /// How often the projected triangle winds around a point: 1 counter-clockwise, -1 clockwise, 0 not. Each edge is looked at from its lower
@@ -108,7 +112,10 @@ void SurfaceColumns::forEachCrossingAbove(Vector const& local, Visit visit) cons
     std::size_t const cell = at(j) * at(countX_) + at(i);
     for (int k = first_[cell]; k < first_[cell + 1]; ++k)
     {
-        TriSurface::Corners const& corners = triangles_[at(sorted_[at(k)])];
+        Item const& item = items_[at(k)];
+        if (local.x() < item.lowX || local.x() > item.highX || local.y() < item.lowY || local.y() > item.highY || local.z() >= item.highZ)
+            continue;
+        TriSurface::Corners const& corners = triangles_[at(item.triangle)];
         int const turns = winding(corners, local);
         if (turns == 0) continue;
         Real const height = heightAt(corners, local);

@@ -31,6 +31,13 @@ private:
     [[nodiscard]] Real heightAt(TriSurface::Corners const& corners, Vector const& local) const;
     void sortTriangles();
 
+    /// A triangle over a cell, and the box it fills.
+    struct Item
+    {
+        Real lowX, highX, lowY, highY, highZ;
+        int triangle;
+    };
+
     Vector direction_;
     Tensor toLocal_; ///< Rows: two axes across the direction, the direction.
     Field<Vector> points_;
@@ -38,7 +45,8 @@ private:
     Vector low_, high_; ///< Local.
     Real cell_ = 1;
     int countX_ = 1, countY_ = 1;
-    Field<int> first_, sorted_; ///< Triangles of each cell.
+    Field<int> first_; ///< Item of each cell.
+    Field<Item> items_;
 };
 
 } // namespace mpsDem

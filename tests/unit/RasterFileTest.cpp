@@ -181,7 +181,8 @@ TEST_F(RasterFile, BrokenFilesEitherLoadOrAreRefused)
     for (int k = 0; k < 500; ++k)
     {
         std::string text = good;
-        for (int n = 0; n < 1 + k % 3; ++n) text[generator() % text.size()] = static_cast<char>(k % 2 == 0 ? '0' + generator() % 12 : generator());
+        for (int n = 0; n < 1 + k % 3; ++n)
+            text[generator() % text.size()] = static_cast<char>(k % 2 == 0 ? '0' + generator() % 12 : generator());
         if (k % 5 == 0) text.resize(generator() % text.size());
         try
         {

@@ -11,6 +11,7 @@
 #include "io/StlFile.h"
 #include "scene/FluidFilling.h"
 #include "scene/SurfaceColumns.h"
+#include "scene/SurfaceFile.h"
 #include "support/Measured.h"
 #include "support/TemporaryFolder.h"
 
@@ -97,7 +98,8 @@ TEST_F(SpaceRegions, VolumesOfRoundAndSlantedRegions)
     auto const test = [](char const* name, std::string const& region, Real exact) {
         auto const fluid = filled(region);
         expectBelow(std::string(name) + ", volume sampled", fluid.volume / exact - 1, 1e-3);
-        expectBelow(std::string(name) + ", volume of particles", static_cast<Real>(fluid.position.size()) * lattice.particleVolume() / exact - 1, 0.02);
+        expectBelow(std::string(name) + ", volume of particles",
+                    static_cast<Real>(fluid.position.size()) * lattice.particleVolume() / exact - 1, 0.02);
     };
     test("sphere", "sphereToParticle { origin (1 1 -2); radius 0.3; }", 4 * std::numbers::pi / 3 * 0.027);
     test("cylinder along z", "cylinderToParticle { p1 (1 1 0); p2 (1 1 0.5); radius 0.3; }", std::numbers::pi * 0.09 * 0.5);
@@ -109,10 +111,11 @@ TEST_F(SpaceRegions, RegionsLieWithinTheirBoxesAndEndWhereTheySay)
 {
     TriSurface const ring = TriSurface::prism("ring", {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 0.5, 0}, {0, 2, 0}}, -0.5, 1);
     writeStl(folder_ / "constant/triSurface/ring.stl", ring);
-    auto const regions = regionsOf("boxToParticle { box (0 0 0) (1 2 3); } rotatedBoxToParticle { origin (0 0 0); i (1 1 0); j (-1 1 0.5); "
-                                   "k (0.2 0 1); } cylinderToParticle { p1 (1 1 0); p2 (2 0 1); radius 0.5; } sphereToParticle { origin (1 2 3); "
-                                   "radius 0.7; } surfaceToParticle { file \"ring.stl\"; }",
-                                   folder_.path());
+    auto const regions =
+        regionsOf("boxToParticle { box (0 0 0) (1 2 3); } rotatedBoxToParticle { origin (0 0 0); i (1 1 0); j (-1 1 0.5); "
+                  "k (0.2 0 1); } cylinderToParticle { p1 (1 1 0); p2 (2 0 1); radius 0.5; } sphereToParticle { origin (1 2 3); "
+                  "radius 0.7; } surfaceToParticle { file \"ring.stl\"; }",
+                  folder_.path());
     Numbers numbers;
     for (auto const& region : regions)
     {
@@ -213,7 +216,8 @@ TEST_F(SpaceRegions, BodiesAndWallsAreCarvedOut)
     expectBelow("turned box in a tank, error of the volume in volumes of the box", (around.volume - 0.232) / 0.008, 0.02);
     TriSurface const ball = TriSurface::sphere("ball", {0.5, 0.2, 0.3}, 0.15, 0.01);
     auto const outside = filled("boxToParticle { box (0 0 0) (1 0.4 0.6); }", "", {tank}, {ball});
-    expectBelow("ball in a tank, error of the volume in volumes of the ball", (outside.volume - 0.24 + ball.volume()) / ball.volume(), 0.02);
+    expectBelow("ball in a tank, error of the volume in volumes of the ball", (outside.volume - 0.24 + ball.volume()) / ball.volume(),
+                0.02);
 }
 
 TEST_F(SpaceRegions, BlocksOfCellsAgreeWithACellByCellSearch)
@@ -275,16 +279,34 @@ TEST_F(SpaceRegions, DepthIsMeasuredThroughRegionsThatTouch)
     EXPECT_LT(depthInRegions(regions, {2, 0.1, 0.1}, up, 0.02), 0);
 }
 
+TEST_F(SpaceRegions, RastersOfHeightsAreSurfacesToo)
+{
+    std::filesystem::create_directories(folder_ / "constant/triSurface");
+    std::ofstream(folder_ / "constant/triSurface/bed.ASC") << "ncols 3\nnrows 2\nxllcenter 100\nyllcenter 200\ncellsize 10\n4 5 6\n1 2 3\n";
+    auto const read = [&](std::string const& keys) {
+        return readSurfaceFile(Dictionary::fromText("file \"bed.ASC\"; " + keys), folder_.path(), "bed", Skin::Open, 0);
+    };
+    EXPECT_EQ(read("").low(), Vector(100, 200, 1));
+    TriSurface const bed = read("origin (100 200 0); scale 0.1; up y;");
+    EXPECT_NEAR((bed.high() - Vector(2, 0.6, 0)).norm(), 0, 1e-15);
+    EXPECT_NEAR((bed.low() - Vector(0, 0.1, -1)).norm(), 0, 1e-15);
+    EXPECT_THROW(read("every 0;"), CaseError);
+    EXPECT_THROW(read("up x;"), CaseError);
+}
+
 TEST_F(SpaceRegions, WrongRegionsAreRefusedByName)
 {
     EXPECT_NE(messageOf("boxToParticle { box (0 0 0) (1 1 0); }").find("without volume"), std::string::npos);
-    EXPECT_NE(messageOf("rotatedBoxToParticle { origin (0 0 0); i (1 0 0); j (0 1 0); k (1 1 0); }").find("without volume"), std::string::npos);
+    EXPECT_NE(messageOf("rotatedBoxToParticle { origin (0 0 0); i (1 0 0); j (0 1 0); k (1 1 0); }").find("without volume"),
+              std::string::npos);
     EXPECT_NE(messageOf("rotatedBoxToParticle { origin (0 0 0); i (1 0 0); j (0 1 0); }").find("k"), std::string::npos);
     EXPECT_NE(messageOf("cylinderToParticle { p1 (0 0 0); p2 (0 0 0); radius 1; }").find("without length"), std::string::npos);
     EXPECT_NE(messageOf("surfaceToParticle { file \"../../etc/passwd\"; }").find("outside of the case"), std::string::npos);
     EXPECT_NE(messageOf("surfaceToParticle { file \"no.stl\"; }", folder_.path()).find("No such file"), std::string::npos);
     writeStl(folder_ / "constant/triSurface/open.stl", TriSurface::box("open", {0, 0, 0}, {1, 1, 1}, {true}));
     EXPECT_NE(messageOf("surfaceToParticle { file \"open.stl\"; }", folder_.path()).find("open: 4 edges"), std::string::npos);
+    EXPECT_NE(messageOf("surfaceToParticle { file \"lake.obj\"; }").find("unknown kind"), std::string::npos);
+    EXPECT_NE(messageOf("surfaceToParticle { file \"bed.asc\"; }").find("no closed surface"), std::string::npos);
     auto const inPlane = [] {
         static_cast<void>(readRegions(Dictionary::fromText("regions ( surfaceToParticle { file \"a.stl\"; } );"), Lattice{2, 0.02, 1}));
     };
