@@ -11,14 +11,15 @@ namespace mpsDem {
 namespace {
 
 constexpr Real dartsOfSpacing = 14;   ///< Darts thrown on l0 x l0.
-constexpr Real dartDistance = 0.80;   ///< Of darts, in spacings: what 14 darts need for one particle on l0 x l0.
+constexpr Real dartDistance = 0.775; ///< Of darts, in spacings: what 14 darts need for one particle on l0 x l0.
 constexpr Real longestPull = 0.35;    ///< Of a dart to its row, in spacings.
 constexpr Real rowTolerance = 0.02;   ///< Of the depth, in spacings.
 constexpr Real reachOfRepulsion = 1.5; ///< In spacings.
 constexpr Real layerHeight = 0.5;     ///< Particles repel each other within a layer of this half height, in spacings.
 constexpr Real longestStep = 0.12;    ///< In spacings.
 constexpr Real strength = 0.35;       ///< Step for an overlap of the whole reach, in spacings.
-constexpr int steps = 8;
+constexpr int steps = 6;
+constexpr int stepsBetweenPulls = 2;
 constexpr int tagOfRow = 1 << 30;
 Real const smoothCosine = std::cos(35.0 * std::numbers::pi / 180);
 
@@ -81,15 +82,19 @@ void EvenSpread::throwDarts()
     for (std::size_t i = darts_.size(); i > 1; --i) std::swap(darts_[i - 1], darts_[static_cast<std::size_t>(uniform() * static_cast<Real>(i))]);
 }
 
-SurfaceRowBuilder::Candidate EvenSpread::candidate(Dart const& dart, int row) const
+Vector EvenSpread::foot(Dart const& dart) const
 {
     JoinedSurfaces const& s = builder_.surfaces();
     auto const& face = s.face(dart.face);
-    auto const& n = normals_[static_cast<std::size_t>(dart.face)];
     Vector const a = s.point(face, 0);
-    Vector const foot = a + dart.u * (s.point(face, 1) - a) + dart.v * (s.point(face, 2) - a);
+    return a + dart.u * (s.point(face, 1) - a) + dart.v * (s.point(face, 2) - a);
+}
+
+SurfaceRowBuilder::Candidate EvenSpread::candidate(Dart const& dart, int row) const
+{
+    auto const& n = normals_[static_cast<std::size_t>(dart.face)];
     Vector const offset = (1 - dart.u - dart.v) * n[0] + dart.u * n[1] + dart.v * n[2];
-    return {foot - builder_.depth(row) * offset, offset.normalized(), dart.face, row, 0, tagOfRow + row};
+    return {foot(dart) - builder_.depth(row) * offset, offset.normalized(), dart.face, row, 0, tagOfRow + row};
 }
 
 /// Moves a place along its way to the surface until it lies at the depth of its row; false where it cannot.
@@ -102,7 +107,7 @@ bool EvenSpread::pullToRow(SurfaceRowBuilder::Candidate& c) const
     Vector const normal = (near.point - c.position) / below;
     Vector const pulled = near.point - depth * normal;
     Real const moved = std::abs(below - depth);
-    if (moved > 1e-3 * l0 && -builder_.tree().distance(pulled) < depth - rowTolerance * l0) return false;
+    if (moved > rowTolerance / 2 * l0 && -builder_.tree().distance(pulled) < depth - rowTolerance * l0) return false;
     int const face = builder_.faceOf(near);
     if (!isDue(face, c.row)) return false;
     c.position = pulled;
@@ -111,43 +116,70 @@ bool EvenSpread::pullToRow(SurfaceRowBuilder::Candidate& c) const
     return true;
 }
 
+/// Brings a dart to its row, or leaves it where its foot is buried.
+SurfaceRowBuilder::Standing EvenSpread::settle(SurfaceRowBuilder::Candidate& c, Dart const& dart) const
+{
+    using Standing = SurfaceRowBuilder::Standing;
+    if (builder_.surfaces().components() > 1)
+    {
+        Standing const where = builder_.standing(c, foot(dart), builder_.surfaces().face(dart.face).normal);
+        if (where == Standing::Buried) return where;
+    }
+    return pullToRow(c) ? Standing::InRow : Standing::Outside;
+}
+
 std::vector<EvenSpread::Particle> EvenSpread::particles(int row) const
 {
     using Standing = SurfaceRowBuilder::Standing;
     Real const least = dartDistance * builder_.spacing();
-    PlacedPoints own(1.6 * builder_.spacing());
+    PlacedPoints own(1.5 * least);
+    auto const taken = [&](Vector const& r) { return own.near(r, least) || builder_.placed().near(r, least); };
     std::vector<Particle> result;
     for (Dart const& dart : darts_)
     {
         if (!isDue(dart.face, row)) continue;
         auto c = candidate(dart, row);
-        if (own.near(c.position, least) || builder_.placed().near(c.position, least)) continue;
-        Standing where = Standing::InRow;
-        if (builder_.surfaces().components() > 1)
-        {
-            where = builder_.standing(c);
-            if (where == Standing::Outside && !pullToRow(c)) continue;
-        }
-        if (where == Standing::InRow && !pullToRow(c)) continue;
-        if (own.near(c.position, least) || builder_.placed().near(c.position, least)) continue;
+        if (taken(c.position)) continue;
+        Vector const thrown = c.position;
+        Standing const where = settle(c, dart);
+        if (where == Standing::Outside) continue;
+        if (c.position != thrown && taken(c.position)) continue;
         own.add(c.position, 0);
-        result.push_back({c, where != Standing::Buried});
+        result.push_back({c, where == Standing::InRow});
     }
     return result;
+}
+
+/// Back to the row, or to the last good place.
+void EvenSpread::pullAll(std::vector<Particle>& particles, std::vector<SurfaceRowBuilder::Candidate>& lastGood) const
+{
+    Real const far = (stepsBetweenPulls + 1) * longestStep * builder_.spacing();
+    for (std::size_t i = 0; i < particles.size(); ++i)
+    {
+        if (!particles[i].movable) continue;
+        auto& c = particles[i].candidate;
+        if (!pullToRow(c) || (c.position - lastGood[i].position).norm() > far) c = lastGood[i];
+        lastGood[i] = c;
+    }
 }
 
 void EvenSpread::repel(std::vector<Particle>& particles) const
 {
     Real const l0 = builder_.spacing(), reach = reachOfRepulsion * l0;
     std::vector<std::vector<Vector>> fixed(particles.size());
+    std::vector<SurfaceRowBuilder::Candidate> lastGood;
     for (std::size_t i = 0; i < particles.size(); ++i)
-        builder_.placed().anyNear(particles[i].candidate.position, 1.6 * l0, [&](Vector const& q, int) {
-            fixed[i].push_back(q);
+    {
+        lastGood.push_back(particles[i].candidate);
+        auto const& c = particles[i].candidate;
+        builder_.placed().anyNear(c.position, reach, [&](Vector const& q, int) {
+            if (std::abs((q - c.position).dot(c.normal)) < l0) fixed[i].push_back(q);
             return false;
         });
+    }
     Field<Vector> position(particles.size());
     CellGrid grid;
-    for (int step = 0; step < steps; ++step)
+    for (int step = 1; step <= steps; ++step)
     {
         for (std::size_t i = 0; i < particles.size(); ++i) position[i] = particles[i].candidate.position;
         grid.build(position, reach, 3);
@@ -167,10 +199,9 @@ void EvenSpread::repel(std::vector<Particle>& particles) const
             push -= push.dot(c.normal) * c.normal;
             push *= strength * l0;
             if (push.norm() > longestStep * l0) push *= longestStep * l0 / push.norm();
-            auto moved = c;
-            moved.position += push;
-            if (pullToRow(moved) && (moved.position - c.position).norm() < 3 * longestStep * l0) c = moved;
+            c.position += push;
         }
+        if (step % stepsBetweenPulls == 0) pullAll(particles, lastGood);
     }
 }
 
@@ -184,7 +215,7 @@ void EvenSpread::addRow(int row)
         if (p.movable)
             builder_.put(p.candidate, p.candidate.normal, row == 0 ? ParticleType::Wall : ParticleType::Ghost);
         else
-            builder_.addInRow(p.candidate); // buried
+            builder_.keepBuried(p.candidate);
     }
 }
 

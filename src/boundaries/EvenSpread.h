@@ -39,10 +39,13 @@ private:
     void gatherNormals();
     void throwDarts();
     [[nodiscard]] bool isDue(int face, int row) const { return !covered_[static_cast<std::size_t>(face)] && row <= builder_.ghostRows(face); }
+    [[nodiscard]] Vector foot(Dart const& dart) const;
     [[nodiscard]] SurfaceRowBuilder::Candidate candidate(Dart const& dart, int row) const;
+    [[nodiscard]] SurfaceRowBuilder::Standing settle(SurfaceRowBuilder::Candidate& c, Dart const& dart) const;
     [[nodiscard]] bool pullToRow(SurfaceRowBuilder::Candidate& c) const;
     [[nodiscard]] std::vector<Particle> particles(int row) const;
     void repel(std::vector<Particle>& particles) const;
+    void pullAll(std::vector<Particle>& particles, std::vector<SurfaceRowBuilder::Candidate>& lastGood) const;
     [[nodiscard]] Real uniform() { return static_cast<Real>(generator_()) / 4294967296.0; }
 
     SurfaceRowBuilder& builder_;

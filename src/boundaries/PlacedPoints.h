@@ -13,8 +13,8 @@ namespace mpsDem {
 class PlacedPoints
 {
 public:
-    /// @param reach  Greatest distance that will be asked for [m].
-    explicit PlacedPoints(Real reach) : inverseSize_(0.5 / reach), first_(1024, -1) {}
+    /// @param cellSize  About one and a half times the distance that is asked for [m].
+    explicit PlacedPoints(Real cellSize) : inverseSize_(1 / cellSize), first_(1024, -1) {}
 
     /// Calls visit(position, tag) for the points of the cells within `reach` of r, until it returns true; says whether it did.
     template <class Visit>

@@ -11,7 +11,7 @@ constexpr Real tipClearance = 0.2;     ///< Least distance of a wall particle in
 constexpr Real leastDistance = 0.7;    ///< Of two boundary particles, in spacings.
 constexpr Real leastOfLattices = 0.88; ///< Of particles past an edge from those of another lattice: above the half diagonal of a cell.
 constexpr Real reachOfWallRow = 0.75;  ///< Greatest depth of a wall particle past an edge, in spacings.
-constexpr Real farthestAsked = 1.6;    ///< Greatest distance of particles that is asked for, in spacings.
+constexpr Real cellSize = 1.2;         ///< Of the grid of particles placed, in spacings.
 constexpr Real faceCosine = 0.9986;    ///< Of 3 degrees: a place whose way to the surface is along the normal lies behind a face.
 
 } // namespace
@@ -19,8 +19,8 @@ constexpr Real faceCosine = 0.9986;    ///< Of 3 degrees: a place whose way to t
 SurfaceRowBuilder::SurfaceRowBuilder(std::span<TriSurface const> surfaces, std::span<int const> ghostRows, Real spacing)
     : joined_(surfaces),
       tree_(surfaces),
-      placed_(farthestAsked * spacing),
-      walls_(farthestAsked * spacing),
+      placed_(cellSize * spacing),
+      walls_(cellSize * spacing),
       ghostRows_(ghostRows.begin(), ghostRows.end()),
       spacing_(spacing)
 {
@@ -38,7 +38,7 @@ bool SurfaceRowBuilder::exposed(Vector const& foot, Vector const& normal) const
     return joined_.components() == 1 || tree_.distance(foot + 1e-5 * spacing_ * normal) > 0;
 }
 
-SurfaceRowBuilder::Standing SurfaceRowBuilder::standing(Candidate const& c) const
+SurfaceRowBuilder::Standing SurfaceRowBuilder::standing(Candidate const& c, Vector const& foot, Vector const& normal) const
 {
     auto const near = tree_.nearest(c.position);
     if (near.distance > -1e-9 * spacing_) return Standing::Outside;
@@ -46,8 +46,7 @@ SurfaceRowBuilder::Standing SurfaceRowBuilder::standing(Candidate const& c) cons
     bool const sharpTip = c.row == 0 && below >= tipClearance * spacing_ && near.normal.dot(c.normal) < -0.01;
     if (below < depth(c.row) - shortfall * spacing_ && !sharpTip) return Standing::Outside;
     if (joined_.components() == 1) return Standing::InRow;
-    Vector const foot = c.position + depth(c.row) * c.normal;
-    if (exposed(foot, c.normal)) return Standing::InRow;
+    if (exposed(foot, normal)) return Standing::InRow;
     return -tree_.distance(foot) <= (ghostRows(c.face) + 1) * spacing_ ? Standing::Buried : Standing::Outside;
 }
 
@@ -64,9 +63,9 @@ void SurfaceRowBuilder::put(Candidate const& c, Vector const& normal, ParticleTy
 
 void SurfaceRowBuilder::addInRow(Candidate const& c)
 {
-    Standing const where = standing(c);
+    Standing const where = standing(c, c.position + depth(c.row) * c.normal, c.normal);
     if (where == Standing::InRow) put(c, c.normal, c.row == 0 ? ParticleType::Wall : ParticleType::Ghost);
-    if (where == Standing::Buried) buried_.push_back(c);
+    if (where == Standing::Buried) keepBuried(c);
 }
 
 void SurfaceRowBuilder::addBuried()

@@ -48,10 +48,12 @@ public:
         Buried, ///< Its foot on the surface lies behind another surface, but near the line where they meet.
         Outside ///< In the fluid, too near to a surface, or far behind.
     };
-    [[nodiscard]] Standing standing(Candidate const& c) const;
+    /// @param foot  Where the particle's own surface is, and @param normal  its normal there.
+    [[nodiscard]] Standing standing(Candidate const& c, Vector const& foot, Vector const& normal) const;
 
-    /// Tries a particle of a row within its surface; buried ones are kept for addBuried().
+    /// Tries a particle of a row within a plane; buried ones are kept for addBuried().
     void addInRow(Candidate const& c);
+    void keepBuried(Candidate const& c) { buried_.push_back(c); }
     /// Tries a particle that completes a corner, with 0.7 l0 to others, or goes on past an edge (beyond > 0).
     void addBeyond(Candidate const& c);
     /// Tries the buried ones.
