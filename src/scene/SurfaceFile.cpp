@@ -1,6 +1,7 @@
 #include "scene/SurfaceFile.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "core/Errors.h"
 #include "io/RasterFile.h"
@@ -20,29 +21,44 @@ std::filesystem::path pathOf(Dictionary const& dict, std::filesystem::path const
     return caseFolder / "constant" / "triSurface" / file;
 }
 
+RasterOptions readRasterOptions(Dictionary const& dict)
+{
+    RasterOptions options;
+    options.up = dict.getWordOr("up", "y", {"y", "z"}, "axes") == "y" ? RasterOptions::Up::Y : RasterOptions::Up::Z;
+    options.origin = dict.getOr<Vector>("origin", Vector::Zero());
+    require(options.origin.allFinite(), dict.where("origin"), "origin is not finite", "three numbers");
+    options.every = dict.getOr<int>("every", 1);
+    require(options.every >= 1, dict.where("every"), "every " + std::to_string(options.every), "1 or more");
+    return options;
+}
+
+std::string endingOf(std::filesystem::path const& file)
+{
+    std::string ending = file.extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ending;
+}
+
 } // namespace
 
 TriSurface readSurfaceFile(Dictionary const& dict, std::filesystem::path const& caseFolder, std::string const& name, Skin skin,
                            Real spacing)
 {
     std::filesystem::path const file = pathOf(dict, caseFolder);
-    StlOptions options;
-    options.scale = dict.getInRangeOr("scale", 1, 1e-9, 1e9);
-    options.skin = skin;
-    options.spacing = spacing;
-    TriSurface surface = readStl(file, name, options);
-    if (!dict.found("translate")) return surface;
-    return surface.moved(Tensor::Identity(), readPoint(dict, "translate", 3));
-}
-
-TriSurface readRasterSurface(Dictionary const& dict, std::filesystem::path const& caseFolder, std::string const& name)
-{
-    RasterOptions options;
-    options.up = dict.getWordOr("up", "y", {"y", "z"}, "axes") == "y" ? RasterOptions::Up::Y : RasterOptions::Up::Z;
-    options.origin = dict.getOr<Vector>("origin", Vector::Zero());
-    options.scale = dict.getInRangeOr("scale", 1, 1e-9, 1e9);
-    options.every = static_cast<int>(dict.getInRangeOr("every", 1, 1, 1e6));
-    return readRaster(pathOf(dict, caseFolder), name, options);
+    std::string const ending = endingOf(file);
+    require(ending == ".stl" || ending == ".asc", dict.where("file"), "file \"" + file.filename().string() + "\" of an unknown kind",
+            "a name that ends in .stl (triangles) or .asc (ESRI grid of heights)");
+    Real const scale = dict.getInRangeOr("scale", 1, 1e-9, 1e9);
+    if (ending == ".stl")
+    {
+        TriSurface surface = readStl(file, name, {scale, skin, spacing});
+        if (!dict.found("translate")) return surface;
+        return surface.moved(Tensor::Identity(), readPoint(dict, "translate", 3));
+    }
+    require(skin == Skin::Open, dict.where("file"), "a raster of heights is no closed surface", "an STL file");
+    RasterOptions options = readRasterOptions(dict);
+    options.scale = scale;
+    return readRaster(file, name, options);
 }
 
 } // namespace mpsDem

@@ -110,7 +110,7 @@ std::unique_ptr<SurfaceShape> makeSurfaceFile(Dictionary const& dict, GeometryCo
 
 std::unique_ptr<SurfaceShape> makeRaster(Dictionary const& dict, GeometryContext const& context)
 {
-    TriSurface const surface = readRasterSurface(dict, context.root, dict.get<std::string>("file"));
+    TriSurface const surface = readSurfaceFile(dict, context.root, dict.get<std::string>("file"), Skin::Open, 0);
     return shapeOf(
         dict, [surface](std::string const& name) { return surface.renamed(name); }, heightSides, "above");
 }

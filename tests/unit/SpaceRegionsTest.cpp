@@ -286,7 +286,7 @@ TEST_F(SpaceRegions, RastersOfHeightsAreSurfacesToo)
     auto const read = [&](std::string const& keys) {
         return readSurfaceFile(Dictionary::fromText("file \"bed.ASC\"; " + keys), folder_.path(), "bed", Skin::Open, 0);
     };
-    EXPECT_EQ(read("").low(), Vector(100, 200, 1));
+    EXPECT_EQ(read("up z;").low(), Vector(100, 200, 1));
     TriSurface const bed = read("origin (100 200 0); scale 0.1; up y;");
     EXPECT_NEAR((bed.high() - Vector(2, 0.6, 0)).norm(), 0, 1e-15);
     EXPECT_NEAR((bed.low() - Vector(0, 0.1, -1)).norm(), 0, 1e-15);
