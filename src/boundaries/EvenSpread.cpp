@@ -10,14 +10,14 @@ namespace mpsDem {
 
 namespace {
 
-constexpr Real dartsOfSpacing = 14;   ///< Darts thrown on l0 x l0.
-constexpr Real dartDistance = 0.775; ///< Of darts, in spacings: what 14 darts need for one particle on l0 x l0.
-constexpr Real longestPull = 0.35;    ///< Of a dart to its row, in spacings.
-constexpr Real rowTolerance = 0.02;   ///< Of the depth, in spacings.
+constexpr Real dartsOfSpacing = 14;    ///< Darts thrown on l0 x l0.
+constexpr Real dartDistance = 0.775;   ///< Of darts, in spacings: what 14 darts need for one particle on l0 x l0.
+constexpr Real longestPull = 0.35;     ///< Of a dart to its row, in spacings.
+constexpr Real rowTolerance = 0.02;    ///< Of the depth, in spacings.
 constexpr Real reachOfRepulsion = 1.5; ///< In spacings.
-constexpr Real layerHeight = 0.5;     ///< Particles repel each other within a layer of this half height, in spacings.
-constexpr Real longestStep = 0.12;    ///< In spacings.
-constexpr Real strength = 0.35;       ///< Step for an overlap of the whole reach, in spacings.
+constexpr Real layerHeight = 0.5;      ///< Particles repel each other within a layer of this half height, in spacings.
+constexpr Real longestStep = 0.12;     ///< In spacings.
+constexpr Real strength = 0.35;        ///< Step for an overlap of the whole reach, in spacings.
 constexpr int steps = 6;
 constexpr int stepsBetweenPulls = 2;
 constexpr int tagOfRow = 1 << 30;
@@ -58,6 +58,18 @@ void EvenSpread::gatherNormals()
         }
 }
 
+/// Area of the row behind a face over the face's own.
+Real EvenSpread::areaRatio(int face, int row) const
+{
+    JoinedSurfaces const& s = builder_.surfaces();
+    auto const& f = s.face(face);
+    auto const& n = normals_[static_cast<std::size_t>(face)];
+    Real const depth = builder_.depth(row);
+    Vector const ab = s.point(f, 1) - s.point(f, 0), ac = s.point(f, 2) - s.point(f, 0);
+    Vector const below = (ab - depth * (n[1] - n[0])).cross(ac - depth * (n[2] - n[0]));
+    return std::max(Real(0), below.dot(f.normal)) / ab.cross(ac).norm();
+}
+
 void EvenSpread::throwDarts()
 {
     JoinedSurfaces const& s = builder_.surfaces();
@@ -67,7 +79,8 @@ void EvenSpread::throwDarts()
     {
         if (covered_[f]) continue;
         Vector const a = s.point(s.faces()[f], 0);
-        due += perArea * (s.point(s.faces()[f], 1) - a).cross(s.point(s.faces()[f], 2) - a).norm() / 2;
+        Real const area = (s.point(s.faces()[f], 1) - a).cross(s.point(s.faces()[f], 2) - a).norm() / 2;
+        due += perArea * area * greatestRatio(static_cast<int>(f));
         for (; due >= 1; due -= 1)
         {
             Real u = uniform(), v = uniform();
@@ -76,10 +89,11 @@ void EvenSpread::throwDarts()
                 u = 1 - u;
                 v = 1 - v;
             }
-            darts_.push_back({static_cast<int>(f), u, v});
+            darts_.push_back({static_cast<int>(f), u, v, uniform()});
         }
     }
-    for (std::size_t i = darts_.size(); i > 1; --i) std::swap(darts_[i - 1], darts_[static_cast<std::size_t>(uniform() * static_cast<Real>(i))]);
+    for (std::size_t i = darts_.size(); i > 1; --i)
+        std::swap(darts_[i - 1], darts_[static_cast<std::size_t>(uniform() * static_cast<Real>(i))]);
 }
 
 Vector EvenSpread::foot(Dart const& dart) const
@@ -137,7 +151,7 @@ std::vector<EvenSpread::Particle> EvenSpread::particles(int row) const
     std::vector<Particle> result;
     for (Dart const& dart : darts_)
     {
-        if (!isDue(dart.face, row)) continue;
+        if (!isDue(dart.face, row) || dart.rank * greatestRatio(dart.face) > areaRatio(dart.face, row)) continue;
         auto c = candidate(dart, row);
         if (taken(c.position)) continue;
         Vector const thrown = c.position;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <random>
 #include <vector>
 
@@ -27,6 +29,7 @@ private:
     {
         int face;
         Real u, v;
+        Real rank; ///< 0 to 1: a row takes the darts of lower rank than its area over the greatest one.
     };
 
     /// A particle in the course of being placed.
@@ -36,9 +39,14 @@ private:
         bool movable;
     };
 
+    [[nodiscard]] Real areaRatio(int face, int row) const;
+    [[nodiscard]] Real greatestRatio(int face) const { return std::max(Real(1), areaRatio(face, builder_.ghostRows(face))); }
     void gatherNormals();
     void throwDarts();
-    [[nodiscard]] bool isDue(int face, int row) const { return !covered_[static_cast<std::size_t>(face)] && row <= builder_.ghostRows(face); }
+    [[nodiscard]] bool isDue(int face, int row) const
+    {
+        return !covered_[static_cast<std::size_t>(face)] && row <= builder_.ghostRows(face);
+    }
     [[nodiscard]] Vector foot(Dart const& dart) const;
     [[nodiscard]] SurfaceRowBuilder::Candidate candidate(Dart const& dart, int row) const;
     [[nodiscard]] SurfaceRowBuilder::Standing settle(SurfaceRowBuilder::Candidate& c, Dart const& dart) const;

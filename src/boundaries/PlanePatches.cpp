@@ -70,9 +70,8 @@ private:
     /// Whether there is a rim at this height.
     [[nodiscard]] bool rimAt(Real y) const
     {
-        return std::any_of(sides_.begin(), sides_.end(), [&](Side const& s) {
-            return s.rim && std::max(std::abs(s.a.y() - y), std::abs(s.b.y() - y)) < 0.5 * spacing_;
-        });
+        return std::any_of(sides_.begin(), sides_.end(),
+                           [&](Side const& s) { return s.rim && std::max(std::abs(s.a.y() - y), std::abs(s.b.y() - y)) < 0.5 * spacing_; });
     }
 
     /// Where a line enters or leaves the polygon.

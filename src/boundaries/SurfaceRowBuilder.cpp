@@ -11,6 +11,8 @@ constexpr Real tipClearance = 0.2;     ///< Least distance of a wall particle in
 constexpr Real leastDistance = 0.7;    ///< Of two boundary particles, in spacings.
 constexpr Real leastOfLattices = 0.88; ///< Of particles past an edge from those of another lattice: above the half diagonal of a cell.
 constexpr Real reachOfWallRow = 0.75;  ///< Greatest depth of a wall particle past an edge, in spacings.
+constexpr Real holeStep = 0.25;        ///< Between places that are looked at for holes, in spacings.
+constexpr Real longestPull = 0.3;      ///< Of a particle to its row, in spacings.
 constexpr Real cellSize = 1.2;         ///< Of the grid of particles placed, in spacings.
 constexpr Real faceCosine = 0.9986;    ///< Of 3 degrees: a place whose way to the surface is along the normal lies behind a face.
 
@@ -75,6 +77,17 @@ void SurfaceRowBuilder::addBuried()
         c.beyond = 1;
         addBeyond(c);
     }
+}
+
+void SurfaceRowBuilder::addInHolesOfJunctions(Real least, Real leastOfWall)
+{
+    constexpr int places = 6; // to each side
+    for (Candidate const& c : buried_)
+    {
+        Vector const e1 = c.normal.unitOrthogonal() * (holeStep * spacing_), e2 = c.normal.cross(e1);
+        for (int i = -places; i <= places; ++i)
+            for (int j = -places; j <= places; ++j) addInHole({c.position + i * e1 + j * e2, c.normal, c.face, c.row}, least, leastOfWall);
+    }
     buried_.clear();
 }
 
@@ -105,15 +118,25 @@ void SurfaceRowBuilder::addBeyond(Candidate const& c)
     put(c, near.atRim ? c.normal : Vector((near.point - c.position) / below), wall ? ParticleType::Wall : ParticleType::Ghost);
 }
 
-void SurfaceRowBuilder::addInHole(Candidate const& c, Real least, Real leastOfWall)
+bool SurfaceRowBuilder::isHole(Candidate const& c, Real least, Real leastOfWall) const
 {
-    bool const hole = !placed_.near(c.position, least * spacing_);
-    bool const holeOfWalls = c.row == 0 && !hole && !walls_.near(c.position, leastOfWall * spacing_);
-    if ((!hole && !holeOfWalls) || placed_.near(c.position, leastDistance * spacing_)) return;
+    if (!placed_.near(c.position, least * spacing_)) return true;
+    return c.row == 0 && !walls_.near(c.position, leastOfWall * spacing_) && !placed_.near(c.position, leastDistance * spacing_);
+}
+
+void SurfaceRowBuilder::addInHole(Candidate c, Real least, Real leastOfWall)
+{
+    if (!isHole(c, least, leastOfWall)) return;
     auto const near = tree_.nearest(c.position);
-    if (near.atRim || std::abs(-near.distance - depth(c.row)) > shortfall * spacing_) return;
-    if (!exposed(near.point, near.normal)) return;
-    put(c, Vector((near.point - c.position) / -near.distance), c.row == 0 ? ParticleType::Wall : ParticleType::Ghost);
+    Real const below = -near.distance, off = std::abs(below - depth(c.row));
+    if (below < tipClearance * spacing_ || near.atRim || off > longestPull * spacing_ || !exposed(near.point, near.normal)) return;
+    Vector const normal = (near.point - c.position) / below;
+    if (off > shortfall * spacing_)
+    {
+        c.position = near.point - depth(c.row) * normal;
+        if (!isHole(c, least, leastOfWall) || -tree_.distance(c.position) < depth(c.row) - shortfall * spacing_) return;
+    }
+    put(c, normal, c.row == 0 ? ParticleType::Wall : ParticleType::Ghost);
 }
 
 } // namespace mpsDem

@@ -58,8 +58,11 @@ public:
     void addBeyond(Candidate const& c);
     /// Tries the buried ones.
     void addBuried();
-    /// Tries a particle exactly on a row that has no other one within `least` spacings; a wall particle also where only ghosts are.
-    void addInHole(Candidate const& c, Real least, Real leastOfWall);
+    /// Looks for holes around the buried ones: along the lines where surfaces cut through each other.
+    void addInHolesOfJunctions(Real least, Real leastOfWall);
+    /// Tries a particle where its row (to which it is moved if it is near) has no other one within `least` spacings; a wall particle also
+    /// where only ghosts are.
+    void addInHole(Candidate c, Real least, Real leastOfWall);
     /// Puts a particle that was found to stand in its row, unless another one is within 0.7 l0.
     void put(Candidate const& c, Vector const& normal, ParticleType type);
 
@@ -67,6 +70,7 @@ public:
 
 private:
     [[nodiscard]] bool coveredByRows(Vector const& r, TriangleTree::Nearest const& near) const;
+    [[nodiscard]] bool isHole(Candidate const& c, Real least, Real leastOfWall) const;
     [[nodiscard]] bool exposed(Vector const& foot, Vector const& normal) const;
 
     JoinedSurfaces joined_;

@@ -44,6 +44,7 @@ public:
         forEachRow([&](int row) { continuedLines(row); });
         builder.addBuried();
         forEachRow([&](int row) { continuedRims(row); });
+        builder.addInHolesOfJunctions(leastInRow, leastOfWalls);
         forEachRow([&](int row) { holes(row); });
         forEachRow([&](int row) { holesBehindCorners(row); });
     }
@@ -84,7 +85,8 @@ private:
             if (!has(patch.face, row)) continue;
             for (auto const& foot : patch.feet)
                 if (foot.beyond > 0)
-                    builder.addBeyond({foot.point - builder.depth(row) * patch.normal, patch.normal, patch.face, row, foot.beyond, tag(p, row)});
+                    builder.addBeyond(
+                        {foot.point - builder.depth(row) * patch.normal, patch.normal, patch.face, row, foot.beyond, tag(p, row)});
         }
     }
 
@@ -209,9 +211,11 @@ void RowMaker::holesBehindCorners(int row)
             for (int i = 1; i < parts; ++i)
                 for (int j = 1; i + j < parts; ++j)
                 {
-                    Vector const direction = (i * normal(faces[c][0]) + j * normal(faces[c][f - 1]) + (parts - i - j) * normal(faces[c][f])).normalized();
+                    Vector const direction =
+                        (i * normal(faces[c][0]) + j * normal(faces[c][f - 1]) + (parts - i - j) * normal(faces[c][f])).normalized();
                     if (!direction.allFinite() || !has(faces[c][0], row)) continue;
-                    builder.addInHole({builder.surfaces().corners()[c].point - depth * direction, direction, faces[c][0], row}, leastInFan, leastInFan);
+                    builder.addInHole({builder.surfaces().corners()[c].point - depth * direction, direction, faces[c][0], row}, leastInFan,
+                                      leastInFan);
                 }
 }
 

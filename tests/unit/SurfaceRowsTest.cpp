@@ -33,7 +33,8 @@ int count(BoundaryRows const& rows, ParticleType type) { return static_cast<int>
 template <class Height>
 TriSurface raster(Vector const& low, Vector const& high, Real cell, Height height)
 {
-    int const nx = static_cast<int>(std::lround((high.x() - low.x()) / cell)), ny = static_cast<int>(std::lround((high.y() - low.y()) / cell));
+    int const nx = static_cast<int>(std::lround((high.x() - low.x()) / cell)),
+              ny = static_cast<int>(std::lround((high.y() - low.y()) / cell));
     std::vector<Vector> points;
     std::vector<TriSurface::Corners> triangles;
     for (int j = 0; j <= ny; ++j)
@@ -105,7 +106,8 @@ Real greatestHole(BoundaryRows const& rows, std::vector<TriSurface> const& surfa
                     if (!counts(foot) || std::abs(tree.distance(place) + 0.5 * spacing) > 1e-6 * spacing) continue;
                     if (tree.distance(foot + 1e-4 * spacing * t.normal) < 0) continue; // behind another surface
                     Real nearest = 2 * spacing;
-                    grid.forEachWithin(place, 2 * spacing, [&](int, Vector const&, Real r2) { nearest = std::min(nearest, std::sqrt(r2)); });
+                    grid.forEachWithin(place, 2 * spacing,
+                                       [&](int, Vector const&, Real r2) { nearest = std::min(nearest, std::sqrt(r2)); });
                     hole = std::max(hole, nearest / spacing);
                 }
         }
@@ -143,7 +145,8 @@ struct Density
     [[nodiscard]] Real at(Vector const& r) const
     {
         Real n = 0;
-        grid.forEachWithin(r, kernel.re, [&](int, Vector const&, Real r2) { n += r2 > 1e-12 * spacing * spacing ? kernel(std::sqrt(r2)) : 0; });
+        grid.forEachWithin(r, kernel.re,
+                           [&](int, Vector const&, Real r2) { n += r2 > 1e-12 * spacing * spacing ? kernel(std::sqrt(r2)) : 0; });
         return n / n0;
     }
     Kernel kernel;
@@ -253,8 +256,7 @@ TEST(SurfaceRows, CubeHasShellsOfTheLattice)
 
 TEST(SurfaceRows, WedgeIsSampledIntoItsTips)
 {
-    std::vector<TriSurface> const wedge{
-        TriSurface::prism("slide", {{0.01, 0.99, 0}, {0.51, 0.49, 0}, {0.51, 0.99, 0}}, 0, 10 * spacing)};
+    std::vector<TriSurface> const wedge{TriSurface::prism("slide", {{0.01, 0.99, 0}, {0.51, 0.49, 0}, {0.51, 0.99, 0}}, 0, 10 * spacing)};
     auto const rows = rowsOf(wedge);
     checkRules("wedge", rows, wedge, 0.2);
     for (Vector const& tip : {Vector(0.01, 0.99, 5 * spacing), Vector(0.51, 0.49, 5 * spacing)})
@@ -283,8 +285,8 @@ TEST(SurfaceRows, SphereHasEvenRows)
         for (int k = 0; k < 4; ++k)
         {
             Real const r = radius / spacing - k - 0.5;
-            expectBetween("sphere: particles of row " + std::to_string(k) + " over its area", number[static_cast<std::size_t>(k)] / (4 * std::numbers::pi * r * r),
-                          k < 3 ? 0.94 : 0.9, k < 3 ? 1.06 : 1.1);
+            expectBetween("sphere: particles of row " + std::to_string(k) + " over its area",
+                          number[static_cast<std::size_t>(k)] / (4 * std::numbers::pi * r * r), k < 3 ? 0.94 : 0.9, k < 3 ? 1.06 : 1.1);
         }
         checkRules("sphere", rowsOf(ball), ball);
     }
@@ -318,13 +320,32 @@ TEST(SurfaceRows, WavyBathymetryHasEvenRows)
     }
 }
 
+TEST(SurfaceRows, BathymetryBetweenTheWallsOfABox)
+{
+    // The bed goes on past the walls, or ends at them.
+    Vector const size(30 * spacing, 20 * spacing, 20 * spacing);
+    TriSurface const box = TriSurface::box("tank", {0, 0, 0}, size, {false, false, false, false, false, true}).flipped();
+    for (Real const beyond : {0.0, 3.5 * spacing})
+    {
+        Vector const past(beyond, beyond, 0);
+        std::vector<TriSurface> const surfaces{box, raster(-past, size + past, 0.7 * spacing, [](Real x, Real y) {
+                                                   return 8 * spacing +
+                                                          2 * spacing * std::sin(x / (5 * spacing)) * std::cos(y / (6 * spacing));
+                                               })};
+        auto const rows = rowsOf(surfaces);
+        checkRules(beyond > 0 ? "bed past the walls" : "bed up to the walls", rows, surfaces);
+        Real deepest = 0;
+        for (Vector const& r : rows.position) deepest = std::max(deepest, 6 - r.z() / spacing);
+        expectBelow("depth of particles below the lowest bed", deepest, 5);
+    }
+}
+
 TEST(SurfaceRows, SpreadRowsGiveTheFluidItsNumberDensity)
 {
     // A floor rough by a hundredth of a spacing: no plane, so that particles are spread and not laid in lines.
     Real const side = 40 * spacing;
-    std::vector<TriSurface> const bed{raster({0, 0, 0}, {side, side, 0}, 0.8 * spacing, [](Real x, Real y) {
-        return 0.01 * spacing * std::sin(7e3 * x * y + 3e2 * x + 5e2 * y);
-    })};
+    std::vector<TriSurface> const bed{raster({0, 0, 0}, {side, side, 0}, 0.8 * spacing,
+                                             [](Real x, Real y) { return 0.01 * spacing * std::sin(7e3 * x * y + 3e2 * x + 5e2 * y); })};
     auto const rows = rowsOf(bed);
     std::vector<Vector> all = rows.position, asked;
     for (int i = 0; i < 40; ++i)
@@ -355,9 +376,8 @@ TEST(SurfaceRows, ValleysAndRidgesHaveNeitherHolesNorPairs)
         for (Real const sign : {1.0, -1.0})
         {
             Real const slope = std::tan((90 - degrees / 2) * std::numbers::pi / 180);
-            std::vector<TriSurface> const bed{raster({0, 0, 0}, {48 * spacing, 48 * spacing, 0}, 0.8 * spacing, [&](Real x, Real) {
-                return sign * slope * std::abs(x - 24 * spacing);
-            })};
+            std::vector<TriSurface> const bed{raster({0, 0, 0}, {48 * spacing, 48 * spacing, 0}, 0.8 * spacing,
+                                                     [&](Real x, Real) { return sign * slope * std::abs(x - 24 * spacing); })};
             std::string const name = (sign > 0 ? "valley of " : "ridge of ") + std::to_string(static_cast<int>(degrees)) + " degrees";
             checkRules(name, rowsOf(bed), bed, degrees < 90 && sign < 0 ? 0.2 : 0.48, inMiddle);
         }
