@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -34,6 +35,14 @@ struct SurfaceCells : NamedArrays
     std::span<Vector const> points;                  ///< [m]
     std::vector<std::vector<std::int64_t>> lines;    ///< Point numbers of each open polyline.
     std::vector<std::vector<std::int64_t>> polygons; ///< Point numbers of each closed polygon, first point not repeated.
+};
+
+/// Triangles to be written; one value of each array a point.
+struct TriangleCells : NamedArrays
+{
+    std::span<Vector const> points;  ///< [m]
+    std::span<Vector const> normals; ///< Unit vectors, one a point; empty: none are written.
+    std::span<std::array<int, 3> const> triangles;
 };
 
 /// Named arrays as read from a file.

@@ -21,6 +21,10 @@ void writePointCloud(std::filesystem::path const& path, PointCloud const& cloud,
 /// The same for lines and polygons with cell arrays.
 void writeSurface(std::filesystem::path const& path, SurfaceCells const& surface, Real time, VtkPrecision precision = VtkPrecision::Single);
 
+/// The same for triangles with point arrays.
+void writeTriangles(std::filesystem::path const& path, TriangleCells const& surface, Real time,
+                    VtkPrecision precision = VtkPrecision::Single);
+
 /// Reads the points and point arrays of a `.vtp`. Arrays of one component: scalars, or integers where the file says so; three: vectors;
 /// others are passed over. Needs no display.
 /// @throw CaseError (InputOutput) where the file cannot be read.

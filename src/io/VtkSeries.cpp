@@ -114,17 +114,20 @@ void VtkSeries::append(Real time, fs::path const& file)
     writeSeries();
 }
 
-void VtkSeries::writeSeries() const
+void VtkSeries::writeSeries() const { mpsDem::writeSeries(seriesFile(), entries_); }
+
+void writeSeries(fs::path const& path, std::vector<SeriesEntry> const& entries)
 {
     std::string text = "{\"file-series-version\":\"1.0\",\"files\":[";
     char const* separator = "\n";
-    for (SeriesEntry const& entry : entries_)
+    for (SeriesEntry const& entry : entries)
     {
         text += separator;
-        text += "{\"name\":\"" + name_ + "/" + entry.file.filename().string() + "\",\"time\":" + shortest(entry.time) + "}";
+        text += "{\"name\":\"" + entry.file.lexically_relative(parentFolder(path)).generic_string() +
+                "\",\"time\":" + shortest(entry.time) + "}";
         separator = ",\n";
     }
-    atomicWrite(seriesFile(), text + "\n]}\n", Durability::Process);
+    atomicWrite(path, text + "\n]}\n", Durability::Process);
 }
 
 std::vector<SeriesEntry> readSeries(fs::path const& path)

@@ -52,6 +52,10 @@ private:
     std::vector<SeriesEntry> entries_;
 };
 
+/// Writes a `.vtp.series` file; the files of its entries lie in its folder or below.
+/// @throw CaseError (InputOutput)
+void writeSeries(std::filesystem::path const& path, std::vector<SeriesEntry> const& entries);
+
 /// Entries of a `.vtp.series` file in its order.
 /// @throw CaseError (InputOutput) where it cannot be read or is no series file.
 std::vector<SeriesEntry> readSeries(std::filesystem::path const& path);

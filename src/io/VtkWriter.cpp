@@ -138,4 +138,22 @@ void writeSurface(std::filesystem::path const& path, SurfaceCells const& surface
     write(path, *data, time);
 }
 
+void writeTriangles(std::filesystem::path const& path, TriangleCells const& surface, Real time, VtkPrecision precision)
+{
+    std::vector<std::vector<std::int64_t>> cells;
+    for (auto const& triangle : surface.triangles) cells.emplace_back(triangle.begin(), triangle.end());
+    vtkNew<vtkPolyData> data;
+    setPoints(*data, surface.points, precision);
+    data->SetPolys(cellArray(cells, surface.points.size()));
+    addArrays(*data->GetPointData(), surface, surface.points.size(), precision);
+    if (!surface.normals.empty())
+    {
+        expect(surface.normals.size() == surface.points.size(), "VTK surface: the normals have the wrong length");
+        auto const normals = vectorArray(surface.normals, precision);
+        normals->SetName("Normals");
+        data->GetPointData()->SetNormals(normals);
+    }
+    write(path, *data, time);
+}
+
 } // namespace mpsDem

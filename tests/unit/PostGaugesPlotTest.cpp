@@ -38,9 +38,10 @@ TEST(PostGaugesPlot, readsEveryKind)
 {
     auto const dict =
         Dictionary::fromText("plots { a { type curves; curves { c { file \"t.csv\"; } } } b { type gauges; locations ((4 0 0)); }"
-                             " c { type profiles; times (0.5); } d { type particles; } e { type convergence; file \"s.dat\"; } }");
+                             " c { type profiles; times (0.5); } d { type particles; } e { type convergence; file \"s.dat\"; }"
+                             " f { type particles; view space; } g { type waterSurface; } }");
     auto const plots = readPlots(dict, {});
-    ASSERT_EQ(plots.size(), 5U);
+    ASSERT_EQ(plots.size(), 7U);
     EXPECT_EQ(plots[3]->name(), "d");
 }
 
@@ -51,7 +52,7 @@ TEST(PostGaugesPlot, readsTheSpecimen)
     dict.requireHeader();
     PostCase const postCase = PostCase::read(folder, {}, dict);
     EXPECT_EQ(postCase.spacing, 0.02);
-    EXPECT_EQ(readPlots(dict, postCase.pictures).size(), 5U);
+    EXPECT_EQ(readPlots(dict, postCase.pictures).size(), 7U);
 }
 
 TEST(PostGaugesPlot, refusesWhatItDoesNotKnow)
@@ -64,6 +65,12 @@ TEST(PostGaugesPlot, refusesWhatItDoesNotKnow)
     expectMessage("a { type particles; window ((1 0 0) (0 1 0)); }", "window must be two corners");
     expectMessage("a { type particles; palette jet; }", "palette \"jet\" is not known");
     expectMessage("a { type particles; show (fluids); }", "did you mean fluid");
+    expectMessage("a { type particles; view spaced; }", "did you mean space");
+    expectMessage("a { type particles; camera { azimuth 20; } }", "camera");
+    expectMessage("a { type waterSurface; camera { elevation 91; } }", "elevation is 91");
+    expectMessage("a { type waterSurface; region ((1 0 0) (0 1 1)); }", "region must be two corners");
+    expectMessage("a { type waterSurface; clip { point (0 0 0); normal (0 0 0); } }", "normal of the clip plane");
+    expectMessage("a { type waterSurface; opacity 0; }", "opacity is 0");
     expectMessage("a { type curves; }", "no curves");
     expectMessage("a { type curves; curves { c { file x; colour pink; } } }", "colour \"pink\"");
     expectMessage("a { type curves; xRange (2 1); curves { c { file x; } } }", "two increasing numbers");

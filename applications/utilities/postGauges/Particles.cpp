@@ -64,6 +64,16 @@ std::vector<Real> ParticleFrame::field(std::string const& name, Location const& 
     return values;
 }
 
+std::vector<std::string> readKinds(Dictionary const& dict, std::vector<std::string> const& standard)
+{
+    static std::vector<std::string> const known = {"fluid", "wall", "ghost"};
+    auto kinds = dict.getOr("show", standard);
+    for (std::string const& kind : kinds)
+        require(std::find(known.begin(), known.end(), kind) != known.end(), dict.where("show"), "show: \"" + kind + "\" is not known",
+                knownWords("kinds of particles", kind, known));
+    return kinds;
+}
+
 std::vector<std::string> seriesNames(PostCase const& postCase)
 {
     std::vector<std::string> names;

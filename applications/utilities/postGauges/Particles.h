@@ -35,6 +35,9 @@ struct ParticleFrame
     [[nodiscard]] std::vector<Real> field(std::string const& name, Location const& where) const;
 };
 
+/// Reads `show`: a list of fluid, wall, ghost. @throw CaseError (BadInput) for another word.
+std::vector<std::string> readKinds(Dictionary const& dict, std::vector<std::string> const& standard);
+
 /// Files of one object over time, <case>/VTK/<name>.vtp.series.
 class Series
 {

@@ -58,12 +58,6 @@ private:
 
 constexpr Real titleRoom = 34; ///< Above a sheet [pixels at 13 points].
 
-/// A place above the upper left corner of the colour bar, as gnuplot takes it.
-std::string aboveBar(SheetLayout const& sheet, Real pixels)
-{
-    return "screen " + number(sheet.bar.left, 6) + ",screen " + number(sheet.bar.top + pixels / sheet.height, 6);
-}
-
 std::string lineOf(Box const& box)
 {
     return "set lmargin at screen " + number(box.left, 9) + "\nset rmargin at screen " + number(box.right, 9) + "\nset bmargin at screen " +
@@ -74,14 +68,9 @@ std::string lineOf(Box const& box)
 
 void ParticlesPlot::writeColours(std::ostream& script, SheetLayout const& sheet, Scene const& scene) const
 {
-    script << pointRadius << paletteCommand(palette_) << "set cbrange [" << number(scene.range.first, 9) << ':'
-           << number(scene.range.second, 9) << "]\n";
-    script << "set style fill solid 1 noborder\n";
+    script << pointRadius << "set style fill solid 1 noborder\n";
     script << "set border 15 lw 1 lc rgb '#404040'\nset tics out scale 0.6 nomirror textcolor rgb '#202020'\n";
-    script << "set cbtics out scale 0.4\nset format cb '%g'\n";
-    // Values beyond the colours are said to be there.
-    if (scene.below) script << "set cbtics add ('\u2264 " << number(scene.range.first) << "' " << number(scene.range.first, 9) << ")\n";
-    if (scene.above) script << "set cbtics add ('\u2265 " << number(scene.range.second) << "' " << number(scene.range.second, 9) << ")\n";
+    scene.bar.writeScale(script);
     if (categorical())
         script << "set key at screen " << number(sheet.bar.left, 6) << ",screen " << number(sheet.bar.top, 6)
                << " left top Left reverse samplen 0.6 spacing 1.4 vertical maxrows 6\n";
@@ -97,9 +86,11 @@ void ParticlesPlot::writePanel(std::ostream& script, SheetLayout const& sheet, s
     script << "set xrange [" << number(scene.window.xLow, 9) << ':' << number(scene.window.xHigh, 9) << "]\n";
     script << "set yrange [" << number(scene.window.yLow, 9) << ':' << number(scene.window.yHigh, 9) << "]\n";
     script << "set title " << quoted(text) << " offset 0,-0.4\n";
-    script << (lowest ? "set xlabel 'x [m]'\nset format x '%g'\n" : "unset xlabel\nset format x ''\n");
-    script << (left ? "set ylabel 'y [m]'\nset format y '%g'\n" : "unset ylabel\nset format y ''\n");
-    script << "unset label\n";
+    script << (lowest ? "set xlabel " + quoted(scene.slice.xLabel()) + "\nset format x '%g'\n"
+                      : std::string("unset xlabel\nset format x ''\n"));
+    script << (left ? "set ylabel " + quoted(scene.slice.yLabel()) + "\nset format y '%g'\n"
+                    : std::string("unset ylabel\nset format y ''\n"));
+    script << scene.slice.tics(scene.window) << "unset label\n";
     if (panel == 0 && panels > 1 && !title_.empty())
         script << "set label " << quoted(title_) << " at screen "
                << number(0.5 * (sheet.panels.front().left + sheet.panels[columns - 1].right), 6) << ",screen "
@@ -107,10 +98,7 @@ void ParticlesPlot::writePanel(std::ostream& script, SheetLayout const& sheet, s
                << number(1.15 * pictures_.fontSize) << "'\n";
     bool const bar = panel == 0 && !categorical();
     if (bar)
-        script << "set colorbox vertical user origin screen " << number(sheet.bar.left, 6) << ",screen " << number(sheet.bar.bottom, 6)
-               << " size screen " << number(sheet.bar.right - sheet.bar.left, 6) << ",screen "
-               << number(sheet.bar.top - sheet.bar.bottom, 6) << "\nset label " << quoted(label_) << " at "
-               << aboveBar(sheet, 1.9 * pictures_.fontSize) << " left\n";
+        scene.bar.writeBox(script, sheet, pictures_.fontSize);
     else
         script << "unset colorbox\n";
     if (panel > 0 || !categorical()) script << "unset key\n";
@@ -122,11 +110,11 @@ std::vector<std::string> ParticlesPlot::colouredItems(ParticleFrame const& frame
     auto const values = frame.field(field_, where_);
     Discs const none(0.5 * discSize_ * scene.spacing, sheet.scale, scene.window);
     std::map<int, Discs> discs;
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t const i : scene.slice.particles(frame))
     {
         if (!shows(frame, i) || !coloured(frame.type[i])) continue;
         int const kind = categorical() ? static_cast<int>(values[i]) : 0;
-        discs.try_emplace(kind, none).first->second.add(frame.data.position[i], scale_ * values[i]);
+        discs.try_emplace(kind, none).first->second.add(scene.slice.place(frame.data.position[i]), scale_ * values[i]);
     }
     if (!categorical()) return discs.empty() ? std::vector<std::string>() : discs.at(0).items("lc palette", picture);
     std::vector<std::string> items;
@@ -145,17 +133,19 @@ std::vector<std::string> ParticlesPlot::items(PostCase const& postCase, Particle
                                               SheetLayout const& sheet, bool legend, Picture& picture) const
 {
     Discs ghosts(0.5 * discSize_ * scene.spacing, sheet.scale, scene.window), walls = ghosts;
-    for (std::size_t i = 0; i < frame.type.size(); ++i)
+    for (std::size_t const i : scene.slice.particles(frame))
     {
         bool const ghost = frame.type[i] == static_cast<int>(ParticleKind::Ghost);
-        if (shows(frame, i) && !coloured(frame.type[i])) (ghost ? ghosts : walls).add(frame.data.position[i], 0);
+        if (shows(frame, i) && !coloured(frame.type[i])) (ghost ? ghosts : walls).add(scene.slice.place(frame.data.position[i]), 0);
     }
     std::vector<std::string> items = ghosts.items("lc rgb '#cfcfcf'", picture);
     for (std::string const& item : walls.items("lc rgb '#7a7a7a'", picture)) items.push_back(item);
     for (std::string const& item : colouredItems(frame, scene, sheet, legend, picture)) items.push_back(item);
     for (std::string const& body : scene.bodies)
     {
-        std::string const data = picture.addData(outlineRows(bodyOutlines(postCase, body, frame.time, where_)));
+        std::string const rows = outlineRows(scene.slice.outlines(bodyOutlines(postCase, body, frame.time, where_)));
+        if (rows.empty()) continue; // not in the slice
+        std::string const data = picture.addData(rows);
         bool const filled = bodyStyle_ == "filled";
         if (filled) items.push_back(data + " using 1:2 with filledcurves closed fs solid 1 noborder fc rgb '#b8b8b8' notitle");
         items.push_back(data + " using 1:2 with lines lw 2 lc rgb '#000000' notitle");

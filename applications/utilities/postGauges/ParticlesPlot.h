@@ -5,13 +5,15 @@
 #include <utility>
 #include <vector>
 
+#include "postGauges/ColourBar.h"
 #include "postGauges/Particles.h"
 #include "postGauges/Plot.h"
 #include "postGauges/SheetLayout.h"
+#include "postGauges/Slice.h"
 
 namespace mpsDem::postGauges {
 
-/// `type particles;`: pictures of the particles, one a time (<name>_t<time>) or all in one (<name>, `contactSheet`).
+/// `type particles;`: flat pictures of the particles, in 3-D of those in a slice, one a time (<name>_t<time>) or all in one (<name>, `contactSheet`).
 ///
 /// | key | meaning | default |
 /// |---|---|---|
@@ -19,7 +21,7 @@ namespace mpsDem::postGauges {
 /// | field | p, magU, Ux, Uy, type, n, surface, or another array | p |
 /// | range | (low high) of the colours; left out: from all pictures' values but the outermost 0.2 %, with coolWarm even about 0 | |
 /// | window | ((xMin yMin 0) (xMax yMax 0)) [m] | all that is shown at the first time |
-/// | slice | (zMin zMax) [m], 3-D: only particles between | all |
+/// | slice | what is shown of a 3-D case, see Slice | the middle, seen along -z |
 /// | show | of fluid, wall, ghost | (fluid wall), with field type all |
 /// | colourWalls | walls in the colours of the field, else grey | false |
 /// | bodies | names of bodies whose outline is drawn | all in VTK/ |
@@ -30,6 +32,7 @@ namespace mpsDem::postGauges {
 /// | title | text before the time; above a sheet | "" |
 /// | width maxHeight | of the picture [pixels] | 1200 1600 |
 /// | contactSheet | all times in one picture | false |
+/// | frames | one picture a time with names <name>_0000, <name>_0001 ..., for a film | false |
 /// | columns | of the sheet; 0: chosen | 0 |
 /// | series | particle files in VTK/ | particles |
 /// and those of PictureSettings; `formats` is (png) here unless the plot itself says otherwise.
@@ -43,13 +46,12 @@ private:
     /// What holds for all pictures of one call.
     struct Scene
     {
+        Slice slice;
         Window window;
-        std::pair<Real, Real> range = {0, 1};
+        ColourBar bar;
         Real spacing = 0;
         std::vector<std::string> bodies;
-        int decimals = 2;   ///< Of times in file names.
-        bool below = false; ///< Values beyond the range of the colours, by more than a hundredth of it.
-        bool above = false;
+        int decimals = 2; ///< Of times in file names.
     };
 
     void readLook(Dictionary const& dict);
@@ -58,7 +60,7 @@ private:
     [[nodiscard]] bool shows(ParticleFrame const& frame, std::size_t i) const;
     [[nodiscard]] bool coloured(int type) const;
     [[nodiscard]] Scene sceneOf(PostCase const& postCase, Series const& series, std::vector<std::size_t> const& chosen) const;
-    [[nodiscard]] Window windowOf(ParticleFrame const& frame, Real spacing) const;
+    [[nodiscard]] Window windowOf(ParticleFrame const& frame, Scene const& scene) const;
     void setRange(Series const& series, std::vector<std::size_t> const& chosen, Scene& scene) const;
     void drawSheet(PostCase const& postCase, Series const& series, std::vector<std::size_t> const& chosen, Scene const& scene,
                    std::string const& fileName) const;
@@ -74,7 +76,7 @@ private:
     std::string field_;
     std::optional<std::pair<Real, Real>> range_;
     std::optional<Window> window_;
-    std::optional<std::pair<Real, Real>> slice_;
+    Slice slice_;
     bool showFluid_ = false;
     bool showWall_ = false;
     bool showGhost_ = false;
@@ -89,6 +91,7 @@ private:
     int width_ = 1200;
     int maxHeight_ = 1600;
     bool contactSheet_ = false;
+    bool frames_ = false;
     int columns_ = 0;
     std::string series_;
     PictureSettings pictures_;

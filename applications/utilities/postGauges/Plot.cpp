@@ -7,8 +7,10 @@
 #include "postGauges/CurvesPlot.h"
 #include "postGauges/GaugesPlot.h"
 #include "postGauges/ParticlesPlot.h"
+#include "postGauges/ParticlesSpacePlot.h"
 #include "postGauges/ProfilesPlot.h"
 #include "postGauges/Text.h"
+#include "postGauges/WaterSurfacePlot.h"
 
 namespace mpsDem::postGauges {
 
@@ -20,6 +22,13 @@ std::unique_ptr<Plot> make(std::string const& name, Dictionary const& dict, Pict
     return std::make_unique<Kind>(name, dict, pictures);
 }
 
+/// Flat or in space, as `view` says.
+std::unique_ptr<Plot> makeParticles(std::string const& name, Dictionary const& dict, PictureSettings const& pictures)
+{
+    bool const flat = dict.getWordOr("view", "slice", {"slice", "space"}, "views") == "slice";
+    return flat ? make<ParticlesPlot>(name, dict, pictures) : make<ParticlesSpacePlot>(name, dict, pictures);
+}
+
 } // namespace
 
 PlotRegistry plotRegistry()
@@ -28,7 +37,8 @@ PlotRegistry plotRegistry()
     registry.add("curves", make<CurvesPlot>);
     registry.add("gauges", make<GaugesPlot>);
     registry.add("profiles", make<ProfilesPlot>);
-    registry.add("particles", make<ParticlesPlot>);
+    registry.add("particles", makeParticles);
+    registry.add("waterSurface", make<WaterSurfacePlot>);
     registry.add("convergence", make<ConvergencePlot>);
     return registry;
 }

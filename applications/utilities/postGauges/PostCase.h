@@ -27,6 +27,9 @@ struct PostCase
     /// <case>/postProcessing/plots
     [[nodiscard]] std::filesystem::path plots() const { return root / "postProcessing" / "plots"; }
 
+    /// <case>/postProcessing/surface
+    [[nodiscard]] std::filesystem::path surfaces() const { return root / "postProcessing" / "surface"; }
+
     /// @throw CaseError (BadInput) where the spacing is not known.
     [[nodiscard]] Real requireSpacing() const;
 

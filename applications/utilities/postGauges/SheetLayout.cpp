@@ -64,8 +64,8 @@ SheetLayout layOut(int count, int columns, Window const& window, int width, int 
     sheet.scale = std::min(byWidth, byHeight);
     Real const panelX = sheet.scale * sizeX, panelY = sheet.scale * sizeY;
     Real const wide = gapsX + sheet.columns * panelX, high = gapsY + sheet.rows * panelY;
-    sheet.width = static_cast<int>(std::lround(wide));
-    sheet.height = static_cast<int>(std::lround(high));
+    sheet.width = 2 * static_cast<int>(std::lround(0.5 * wide)); // even, as films want it
+    sheet.height = 2 * static_cast<int>(std::lround(0.5 * high));
     for (int i = 0; i < count; ++i)
     {
         Real const left = m.left + (i % sheet.columns) * (panelX + m.between);

@@ -77,6 +77,13 @@ std::string plain(std::string const& text)
     return result;
 }
 
+std::string frameName(std::string const& name, std::size_t k)
+{
+    std::string digits = std::to_string(k);
+    digits.insert(0, digits.size() < 4 ? 4 - digits.size() : 0, '0');
+    return name + "_" + digits;
+}
+
 bool isFileName(std::string const& name)
 {
     constexpr std::string_view signs = "_-+.=,";

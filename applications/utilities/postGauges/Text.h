@@ -27,6 +27,9 @@ std::string quoted(std::string const& text);
 /// The text with gnuplot's signs for subscripts and such (_ ^ { } @ & ~ \) made plain; for names that nobody wrote as a label.
 std::string plain(std::string const& text);
 
+/// Name of the k-th frame of a film: "slide_0007".
+std::string frameName(std::string const& name, std::size_t k);
+
 /// True for a name that is a file name and nothing else: letters, digits and _ - + . = , not beginning with a point.
 bool isFileName(std::string const& name);
 
