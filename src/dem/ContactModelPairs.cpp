@@ -104,6 +104,8 @@ void ContactModel::save(State& state) const
     for (Latch const& latch : latches_) latch.save(state);
     Real const energy[] = {dissipation_.normal, dissipation_.tangential};
     state.set("contact/dissipation", std::span<Real const>(energy));
+    Real const step[] = {lastStep_};
+    state.set("contact/lastStep", std::span<Real const>(step));
 }
 
 void ContactModel::load(State const& state)
@@ -126,6 +128,9 @@ void ContactModel::load(State const& state)
     State::Reals const& energy = state.reals("contact/dissipation");
     if (energy.size() != 2) throw CaseError(ExitCode::InputOutput, "contact/dissipation has a wrong length", "2 numbers");
     dissipation_ = {energy[0], energy[1]};
+    State::Reals const& step = state.reals("contact/lastStep");
+    if (step.size() != 1) throw CaseError(ExitCode::InputOutput, "contact/lastStep has a wrong length", "1 number");
+    lastStep_ = step[0];
     searched_ = false;
 }
 
@@ -140,6 +145,7 @@ void ContactModel::copyTo(History& history) const
     }
     history.latches = latches_;
     history.dissipation = dissipation_;
+    history.lastStep = lastStep_;
 }
 
 void ContactModel::restore(History const& history)
@@ -155,6 +161,7 @@ void ContactModel::restore(History const& history)
     }
     latches_ = history.latches;
     dissipation_ = history.dissipation;
+    lastStep_ = history.lastStep;
     searched_ = false;
 }
 

@@ -70,6 +70,7 @@ void ContactModel::addTo(std::span<RigidBody* const> bodies, Real h)
         sums_[i] = BodyContactSums();
         sums_[i].immovable = immovable(*bodies[i]);
     }
+    Real const kick = lastStep_ > 0 ? std::min(Real(2), 0.5 * (lastStep_ + h) / h) : Real(1);
     for (std::size_t const active : active_)
     {
         pairs_[active].detect(bodies, dissipation_);
@@ -80,8 +81,9 @@ void ContactModel::addTo(std::span<RigidBody* const> bodies, Real h)
         ContactPair& pair = pairs_[active];
         if (pair.contacts().empty()) continue;
         pair.shareMass(bodies, sums_);
-        pair.addForces(bodies, h, dissipation_);
+        pair.addForces(bodies, h, kick, dissipation_);
     }
+    lastStep_ = h;
     checkOverlap(bodies);
 }
 

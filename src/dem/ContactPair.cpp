@@ -179,9 +179,16 @@ void ContactPair::shareMass(std::span<RigidBody* const> bodies, std::vector<Body
     for (Contact& contact : contacts_) contact.mass = reducedMass(bodies, sums, contact);
 }
 
-void ContactPair::addForces(std::span<RigidBody* const> bodies, Real h, ContactDissipation& dissipation)
+void ContactPair::addForces(std::span<RigidBody* const> bodies, Real h, Real kick, ContactDissipation& dissipation)
 {
     parts_.law->evaluate(contacts_, h, dissipation);
+    if (kick != 1)
+        for (Contact& contact : contacts_)
+        {
+            if (contact.fresh) continue;
+            contact.normalForce *= kick;
+            contact.tangentialForce *= kick;
+        }
     auto const add = [](RigidBody& body, Real sign, Contact const& contact) {
         Vector const arm = contact.position - body.centre();
         body.contactNormal.add(sign * contact.normalForce, arm);

@@ -61,7 +61,8 @@ public:
     /// Each contact's share of the reduced mass: m k / (n . S n) with the sums S of each body.
     void shareMass(std::span<RigidBody* const> bodies, std::vector<BodyContactSums> const& sums);
     /// Eqs 11-12, added to both bodies; equal and opposite.
-    void addForces(std::span<RigidBody* const> bodies, Real h, ContactDissipation& dissipation);
+    /// @param kick  Factor of the forces of contacts that last from before, see ContactModel::addTo.
+    void addForces(std::span<RigidBody* const> bodies, Real h, Real kick, ContactDissipation& dissipation);
 
     /// Adds the stiffness matrix (6 x 6, about the centre of mass) of all points within `reach` of the surface to each body's one.
     /// @return false where none is.

@@ -39,16 +39,15 @@ void run(SolidScene& scene, int steps)
 
 TEST(SolidIncline, slidesAsCoulombSays)
 {
-    for (Real const mu : {0.0105, 0.3, 0.9})
-        for (Real const yaw : {0.0, 0.5})
-        {
-            auto scene = blockOnPlane(mu, pi / 4, 0.04, floorMesh(), mu > 0.5 ? 2e11 : 1e9, yaw);
-            run(*scene, 200);
-            Real const exact = 0.5 * g * (1 - mu) / std::numbers::sqrt2 * 0.16;
-            expectBelow("block on 45 deg, mu " + std::to_string(mu) + ", yaw " + std::to_string(yaw) + ", relative error of path",
-                        scene->pointers[0]->centre().x() / exact - 1, 1e-3);
-            expectBelow("  sideways [m]", scene->pointers[0]->centre().y(), 1e-5);
-        }
+    for (auto const& [mu, yaw] : {std::pair(0.0105, 0.0), std::pair(0.3, 0.5), std::pair(0.9, 0.0)})
+    {
+        auto scene = blockOnPlane(mu, pi / 4, 0.05, floorMesh(), mu > 0.5 ? 2e11 : 1e9, yaw);
+        run(*scene, 200);
+        Real const exact = 0.5 * g * (1 - mu) / std::numbers::sqrt2 * 0.16;
+        expectBelow("block on 45 deg, mu " + std::to_string(mu) + ", yaw " + std::to_string(yaw) + ", relative error of path",
+                    scene->pointers[0]->centre().x() / exact - 1, 1e-3);
+        expectBelow("  sideways [m]", scene->pointers[0]->centre().y(), 1e-5);
+    }
 }
 
 TEST(SolidIncline, sticksBelowTheFrictionAngle)
@@ -114,8 +113,8 @@ TEST(SolidIncline, cutsOfThePlaneAreNotFelt)
         block.setVelocity({1, 0.3, 0}, {0, 0, 4});
         Real const weight = block.mass() * g * std::cos(pi / 6);
         Real least = 1e300, most = 0;
-        run(*scene, 30); // friction presses the front down at first
-        for (int i = 0; i < 70; ++i)
+        run(*scene, 20); // friction presses the front down at first
+        for (int i = 0; i < 40; ++i)
             scene->step(0.002, 1, [&] {
                 least = std::min(least, block.contactNormal.force.z());
                 most = std::max(most, block.contactNormal.force.z());
@@ -123,7 +122,7 @@ TEST(SolidIncline, cutsOfThePlaneAreNotFelt)
         std::string const name = "plane of " + std::to_string(2 + 2 * cuts) + " triangles, ";
         expectBetween(name + "least normal force / weight", least / weight, 0.999, 1.001);
         expectBetween(name + "largest normal force / weight", most / weight, 0.999, 1.001);
-        EXPECT_GT(block.centre().x(), 0.2);
+        EXPECT_GT(block.centre().x(), 0.1);
         if (cuts == 0)
         {
             end = block.centre();
