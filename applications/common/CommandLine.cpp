@@ -54,8 +54,21 @@ options::options_description knownOptions(ApplicationDescription const& descript
     return known;
 }
 
+/// What to do instead of an option that OpenFOAM's applications have and this one has not; empty for others.
+std::string insteadOf(std::string const& option, std::string const& application)
+{
+    if (option == "-parallel" || option == "-decomposeParDict") return "this version runs on one rank; start it without the option";
+    if (application != "mpsDemFoam") return {};
+    if (option == "-time" || option == "-latestTime" || option == "-noZero" || option == "-constant")
+        return "startFrom and startTime of system/controlDict choose the state that a run goes on from; latestTime is their default";
+    if (option == "-postProcess")
+        return "function objects work while a run goes: name them in system/controlDict and run again; postGauges draws what was written";
+    return {};
+}
+
 /// @throw CommandLineError for an unknown option and one without its value.
-options::parsed_options parse(std::vector<std::string> const& words, options::options_description const& known)
+options::parsed_options parse(std::vector<std::string> const& words, options::options_description const& known,
+                              std::string const& application)
 {
     options::positional_options_description anywhere;
     anywhere.add(withoutDash, -1);
@@ -65,7 +78,8 @@ options::parsed_options parse(std::vector<std::string> const& words, options::op
     }
     catch (options::unknown_option const& error)
     {
-        throw CommandLineError("Invalid option: " + dashed(error.get_option_name()));
+        std::string const option = dashed(error.get_option_name()), instead = insteadOf(option, application);
+        throw CommandLineError("Invalid option: " + option + (instead.empty() ? "" : "\n    " + instead));
     }
     catch (options::error_with_option_name const& error)
     {
@@ -84,7 +98,7 @@ CommandLine::CommandLine(ApplicationDescription description, int argc, char cons
     for (std::string const& word : words) command_ += " " + word;
 
     options::options_description const known = knownOptions(description_);
-    options::parsed_options const parsed = parse(words, known);
+    options::parsed_options const parsed = parse(words, known, description_.name);
     for (auto const& option : parsed.options)
     {
         if (option.position_key >= 0)

@@ -26,7 +26,7 @@ public:
     Dictionary();
 
     /// Reads a case file. @param path file. @param caseRoot folder that #include may not leave (with etc/caseDicts); messages name the file relative to it.
-    /// @throw CaseError BadInput with file:line for what the grammar does not allow; InputOutput where it can't be read.
+    /// @throw CaseError BadInput with file:line for what the grammar does not allow, or where it is not there; InputOutput where it can't be read.
     static Dictionary fromFile(std::filesystem::path const& path, std::filesystem::path const& caseRoot);
 
     /// The same, but as careless as OpenFOAM's own reader where that harms nothing: of duplicate entries the last counts (each such place goes

@@ -20,6 +20,8 @@ constexpr Real contactReach = 1.5;
 /// A wall particle of another solid that faces a point within this distance covers it, in spacings, unless fluid is between: this much
 /// nearer to the surface than that wall particle.
 constexpr Real coverReach = 1.5;
+/// It covers what lies behind it, not what is farther than this aside.
+constexpr Real coverAside = 0.75;
 constexpr Real between = 0.25;
 /// Longest edge of a piece of a triangle, in spacings: two pieces of a square of one spacing.
 constexpr Real longestEdge = 1.4143;
@@ -161,7 +163,7 @@ void WettedSurface::dryContactFaces(ParticleSet const& particles, CellGrid const
 {
     for (std::size_t s = 0; s < position_.size(); ++s)
     {
-        Real const reach = coverReach * lattice_.spacing;
+        Real const reach = coverReach * lattice_.spacing, aside = coverAside * lattice_.spacing;
         Real cover = 2 * reach, lowestFluid = 2 * reach;
         grid.forEachWithin(position_[s], reach, [&](int j, Vector const& rsj, Real) {
             Real const off = rsj.dot(normal_[s]);
@@ -170,7 +172,7 @@ void WettedSurface::dryContactFaces(ParticleSet const& particles, CellGrid const
                 if (off > inFront * lattice_.spacing) lowestFluid = std::min(lowestFluid, off);
             }
             else if (particles.type[j] == ParticleType::Wall && particles.body[j] != body_ &&
-                     particles.normal[j].dot(normal_[s]) <= -likeNormal)
+                     particles.normal[j].dot(normal_[s]) <= -likeNormal && (rsj - off * normal_[s]).norm() < aside)
                 cover = std::min(cover, std::abs(off));
         });
         if (cover > reach || lowestFluid < cover - between * lattice_.spacing) continue;

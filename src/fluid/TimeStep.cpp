@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/Errors.h"
+#include "core/Log.h"
 #include "parallel/Reduce.h"
 
 namespace mpsDem {
@@ -22,7 +24,12 @@ TimeStep::TimeStep(Dictionary const& dict, Lattice const& lattice)
       maxCo_(dict.getInRangeOr("maxCo", 0.25, 1e-6, 2)),
       maxPressureCo_(dict.getInRangeOr("maxPressureCo", 0.25, 1e-6, 2)),
       maxDeltaT_(dict.getInRangeOr("maxDeltaT", 1e300, 1e-12, 1e300))
-{}
+{
+    if (adjustable_ && deltaT_ > maxDeltaT_)
+        warn(dict.where("deltaT").str() + ": deltaT " + shortNumber(deltaT_) + " s is longer than maxDeltaT: the first step has " +
+                 shortNumber(maxDeltaT_) + " s at most",
+             "deltaT above maxDeltaT", 1);
+}
 
 Real TimeStep::limit(ParticleSet const& particles, Real density, Real bodySpeed, Real viscousDt) const
 {

@@ -61,6 +61,9 @@ void FreeSurfaceProfile::readLine(Dictionary const& dict)
     require(planar || (from_ && to_), dict.where(), "a profile in 3-D needs the ends of its line", "from (x y z); to (x y z);");
     require(!from_ || !to_ || (*to_ - *from_).norm() > 0, dict.where("to"), "the ends of the profile are the same point", "different ends");
     require(!dict.found("spacing") || !dict.found("count"), dict.where("count"), "both spacing and count are given", "one of them");
+    Vector const up = readUp(context_, dict);
+    if (from_) warnOfPlacesOutside(context_, dict, "from", {*from_}, up);
+    if (to_) warnOfPlacesOutside(context_, dict, "to", {*to_}, up);
     Real const particleSpacing = context_.particles.lattice().spacing;
     spacing_ = dict.getInRangeOr("spacing", particleSpacing, 1e-3 * particleSpacing, 1e12);
     count_ = dict.found("count") ? static_cast<int>(dict.getInRange("count", 2, mostPoints)) : 0;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/Errors.h"
+#include "core/Log.h"
 #include "parallel/Reduce.h"
 
 namespace mpsDem {
@@ -13,6 +15,17 @@ namespace {
 bool isPlain(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '+' || c == '-' || c == '.';
+}
+
+/// Unit vectors square to `up` and to each other, in the plane where there is no third dimension; those of space where `up` is zero.
+std::vector<Vector> axesSquareTo(Vector const& up, bool planar)
+{
+    if (up.isZero())
+        return planar ? std::vector<Vector>{Vector::UnitX(), Vector::UnitY()}
+                      : std::vector<Vector>{Vector::UnitX(), Vector::UnitY(), Vector::UnitZ()};
+    if (planar) return {Vector(up.y(), -up.x(), 0)};
+    Vector const first = up.unitOrthogonal();
+    return {first, up.cross(first)};
 }
 
 } // namespace
@@ -67,6 +80,28 @@ Vector readUp(RunContext const& context, Dictionary const& dict)
     return direction.normalized();
 }
 
+void warnOfPlacesOutside(RunContext const& context, Dictionary const& dict, std::string const& key, std::vector<Vector> const& places,
+                         Vector const& up)
+{
+    ParticleSet const& particles = context.particles;
+    bool const planar = particles.lattice().dimensions == 2;
+    std::string outside;
+    for (Vector const& axis : axesSquareTo(up, planar))
+    {
+        auto const coordinate = [&](int i) { return particles.r[i].dot(axis); };
+        Real const low = minOver(particles.owned(), std::numeric_limits<Real>::max(), coordinate).value;
+        Real const high = maxOver(particles.owned(), std::numeric_limits<Real>::lowest(), coordinate).value;
+        for (Vector const& place : places)
+        {
+            bool const inside = place.dot(axis) >= low && place.dot(axis) <= high;
+            if (!inside && outside.find(text(place)) == std::string::npos) outside += " " + text(place);
+        }
+    }
+    if (outside.empty()) return;
+    std::string const message = dict.where(key).str() + ": " + key + " of " + dict.name() + " outside of all walls and fluid:" + outside;
+    warn(message, message, 1);
+}
+
 void addVectorColumns(std::vector<std::string>& columns, std::string const& name)
 {
     for (char const axis : {'x', 'y', 'z'}) columns.push_back(name + axis);
@@ -76,7 +111,8 @@ void addVector(std::vector<Real>& values, Vector const& vector) { values.insert(
 
 std::string text(Vector const& vector)
 {
-    return "(" + shortNumber(vector.x()) + " " + shortNumber(vector.y()) + " " + shortNumber(vector.z()) + ")";
+    Vector const plain = vector + Vector::Zero(); // makes -0 a 0
+    return "(" + shortNumber(plain.x()) + " " + shortNumber(plain.y()) + " " + shortNumber(plain.z()) + ")";
 }
 
 Real fluidMass(RunContext const& context)

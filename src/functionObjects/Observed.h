@@ -29,6 +29,11 @@ std::vector<int> readBodies(RunContext const& context, Dictionary const& dict);
 /// @throw CaseError BadInput where both are zero, or where the direction leaves the plane of a 2-D case.
 Vector readUp(RunContext const& context, Dictionary const& dict);
 
+/// Warns, once a run, of places that lie outside of the extent of all particles, of walls and fluid, in the x-y plane (3-D: in space).
+/// @param key  Entry of `dict` that names the places. @param up  Direction along which a place does not count, a unit vector; or zero.
+void warnOfPlacesOutside(RunContext const& context, Dictionary const& dict, std::string const& key, std::vector<Vector> const& places,
+                         Vector const& up);
+
 /// Appends name + "x", "y", "z".
 void addVectorColumns(std::vector<std::string>& columns, std::string const& name);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "core/Errors.h"
@@ -16,10 +17,10 @@ std::array<std::string, 3> const knownFields{"p", "U", "n"};
 
 std::vector<std::string> headerOf(std::string const& field, std::vector<Vector> const& locations)
 {
-    std::string const what = field == "p"   ? "Pressure relative to the atmosphere [Pa]; 0 without particles in reach, see count.dat"
-                             : field == "U" ? "Velocity [m/s]; 0 without particles in reach, see count.dat"
+    std::string const what = field == "p"   ? "Pressure relative to the atmosphere [Pa]; nan without particles in reach, see count.dat"
+                             : field == "U" ? "Velocity [m/s]; nan without particles in reach, see count.dat"
                              : field == "n"
-                                 ? "Number density over that of the full lattice [-]; 0 without particles in reach, see count.dat"
+                                 ? "Number density over that of the full lattice [-]; nan without particles in reach, see count.dat"
                                  : "Particles that the values of the other tables rest on";
     std::vector<std::string> header{what};
     for (std::size_t k = 0; k < locations.size(); ++k) header.push_back("Probe " + std::to_string(k) + " " + text(locations[k]));
@@ -59,6 +60,7 @@ Probes::Probes(std::string const& name, Dictionary const& dict, RunContext const
         require(!twice, dict.where("fields"), "field \"" + fields_[k] + "\" is given twice", "each field once");
         needsWalls_ = needsWalls_ || fields_[k] == "p";
     }
+    warnOfPlacesOutside(context, dict, "probeLocations", locations_, Vector::Zero());
     for (std::string const& field : fields_)
         tables_.push_back(makeTable(context, name, field, columnsOf(field, locations_.size()), headerOf(field, locations_)));
     tables_.push_back(makeTable(context, name, "count", columnsOf("count", locations_.size()), headerOf("count", locations_)));
@@ -82,10 +84,10 @@ Probes::Sample Probes::sample(Vector const& location) const
         result.u += w * particles.u[j];
         result.n += w * particles.n[j];
     });
-    if (pressureSum > tiny) result.p /= pressureSum;
-    if (fluidSum <= tiny) return result;
-    result.u /= fluidSum;
-    result.n /= fluidSum;
+    constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
+    result.p = pressureSum > tiny ? result.p / pressureSum : none;
+    result.u = fluidSum > tiny ? Vector(result.u / fluidSum) : Vector::Constant(none);
+    result.n = fluidSum > tiny ? result.n / fluidSum : none;
     return result;
 }
 

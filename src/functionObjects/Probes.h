@@ -21,7 +21,7 @@ namespace mpsDem {
 /// | hydrostaticCorrection | each p_j is carried to the probe with the weight of the water between: p_j + rho g.(x - r_j) | off |
 /// The correction makes a probe on a wall exact in still water; without it the value is that of the particles' mean place.
 /// Tables `p.dat` [Pa, relative to the atmosphere], `U.dat` [m/s], `n.dat` [n/n0], `count.dat`: how many particles each value rests on.
-/// Without any the value is 0.
+/// Without any the value is nan.
 class Probes : public FunctionObject
 {
 public:

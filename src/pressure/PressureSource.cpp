@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/Errors.h"
+
 namespace mpsDem {
 
 PressureSource::PressureSource(Dictionary const& dict, SchemeSet set, Lattice const& lattice, Real gradientRadius, Real density)
@@ -15,6 +17,9 @@ PressureSource::PressureSource(Dictionary const& dict, SchemeSet set, Lattice co
     corrected_ = dict.getWordOr("divergence", spatial ? "corrected" : "plain", {"plain", "corrected"}, "forms of eq 5") == "corrected";
     if (dict.getWordOr("density", spatial ? "smooth" : "number", {"number", "smooth"}, "measures of density") == "smooth")
         smooth_.emplace(lattice, gradientRadius);
+    char const* const idle = type_ == Type::Density && corrected_ ? "divergence" : type_ == Type::Divergence && smooth_ ? "density" : "";
+    require(*idle == 0, dict.where(idle), "type " + type + " has no " + idle + " whose form could be chosen",
+            "type mixed, or no such entry");
     bool const fixedGamma = dict.found("gamma") && !dict.found("relaxationTime");
     relaxationTime_ = dict.getInRangeOr("relaxationTime", paper || fixedGamma ? 0 : 0.05, 0, 10);
     gamma_ = dict.getInRangeOr("gamma", 0.01, 0, 1);

@@ -24,39 +24,56 @@ std::vector<std::string> Effects::lines() const
 
 namespace {
 
-void printLine(std::ostream& os, std::string const& name, double seconds, double total, double particleSteps)
+class Bill
 {
-    os << "    " << std::left << std::setw(40) << name << std::right << std::fixed << std::setprecision(3) << std::setw(12) << seconds
-       << std::setprecision(2) << std::setw(10) << 100 * seconds / total << std::setprecision(4) << std::setw(14)
-       << (particleSteps > 0 ? 1e6 * seconds / particleSteps : 0) << '\n';
-}
+public:
+    Bill(std::ostream& os, Cost const& total, double particleSteps) : os_(os), total_(total), particleSteps_(particleSteps) {}
+
+    void heading(char const* what) const
+    {
+        os_ << "    " << std::left << std::setw(40) << what << std::right << std::setw(12) << "clock s" << std::setw(14) << "processor s"
+            << std::setw(10) << "share %" << std::setw(14) << "us/part.step" << '\n';
+    }
+
+    void line(std::string const& name, Cost const& cost) const
+    {
+        os_ << "    " << std::left << std::setw(40) << name << std::right << std::fixed << std::setprecision(3) << std::setw(12)
+            << cost.clock << std::setw(14) << cost.processor << std::setprecision(2) << std::setw(10)
+            << 100 * cost.processor / total_.processor << std::setprecision(4) << std::setw(14)
+            << (particleSteps_ > 0 ? 1e6 * cost.processor / particleSteps_ : 0) << '\n';
+    }
+
+private:
+    std::ostream& os_;
+    Cost total_;
+    double particleSteps_;
+};
 
 } // namespace
 
-void printBill(std::ostream& os, double total, double particleSteps)
+void printBill(std::ostream& os, Cost const& total, double particleSteps)
 {
-    if (total <= 0) return;
+    if (total.clock <= 0 || total.processor <= 0) return;
     auto const flags = os.flags();
     auto const precision = os.precision();
-    auto const heading = [&](char const* what) {
-        os << "    " << std::left << std::setw(40) << what << std::right << std::setw(12) << "seconds" << std::setw(10) << "share %"
-           << std::setw(14) << "us/part.step" << '\n';
-    };
-    std::map<std::string, double> effects;
-    double counted = 0;
-    os << "Cost of the time loop\n";
-    heading("stage");
+    Bill const bill(os, total, particleSteps);
+    std::map<std::string, Cost> effects;
+    Cost rest = total;
+    os << "Cost of the time loop (share and us/part.step of the processor's time; the clock goes on where others have the processor)\n";
+    bill.heading("stage");
     for (Timers::Stage const& stage : Timers::all())
     {
-        printLine(os, stage.name, stage.seconds, total, particleSteps);
-        effects[stage.effect] += stage.seconds;
-        counted += stage.seconds;
+        bill.line(stage.name, {stage.seconds, stage.processorSeconds});
+        effects[stage.effect].clock += stage.seconds;
+        effects[stage.effect].processor += stage.processorSeconds;
+        rest.clock -= stage.seconds;
+        rest.processor -= stage.processorSeconds;
     }
-    printLine(os, "rest", total - counted, total, particleSteps);
-    printLine(os, "total", total, total, particleSteps);
-    heading("effect");
-    for (auto const& [name, seconds] : effects) printLine(os, name, seconds, total, particleSteps);
-    printLine(os, "rest", total - counted, total, particleSteps);
+    bill.line("rest", rest);
+    bill.line("total", total);
+    bill.heading("effect");
+    for (auto const& [name, cost] : effects) bill.line(name, cost);
+    bill.line("rest", rest);
     os.flags(flags);
     os.precision(precision);
 }

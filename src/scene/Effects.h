@@ -27,10 +27,16 @@ private:
     std::vector<Entry> entries_;
 };
 
-/// The bill at the end of the log: seconds, share and microseconds per particle-step of every stage, then of every effect. The shares sum
-/// to 100 %: what no stage counted is the line "rest".
-/// @param total          Wall-clock seconds of the time loop.
+/// Time on the clock and of the processor [s].
+struct Cost
+{
+    double clock = 0, processor = 0;
+};
+
+/// The bill at the end of the log: seconds on the clock and of the processor for every stage, then for every effect, and share and microseconds
+/// per particle-step of the latter. The shares sum to 100 %: what no stage counted is the line "rest".
+/// @param total          Of the time loop.
 /// @param particleSteps  Particles times steps, summed.
-void printBill(std::ostream& os, double total, double particleSteps);
+void printBill(std::ostream& os, Cost const& total, double particleSteps);
 
 } // namespace mpsDem

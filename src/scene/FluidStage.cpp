@@ -14,8 +14,9 @@ namespace mpsDem {
 
 namespace {
 
-/// Share of the fluid that may be lost before the run is stopped.
+/// Share of the fluid, and number of particles where that is more, that may be lost before the run is stopped.
 constexpr Real largestLoss = 1e-3;
+constexpr Real fewestLost = 2;
 
 } // namespace
 
@@ -215,10 +216,11 @@ void FluidStage::checkOutside(Real time) const
 
 void FluidStage::requireFewLost(std::int64_t lost) const
 {
-    if (static_cast<Real>(lost) <= largestLoss * static_cast<Real>(initialFluid_)) return;
+    Real const allowed = std::max(fewestLost, std::floor(largestLoss * static_cast<Real>(initialFluid_)));
+    if (static_cast<Real>(lost) <= allowed) return;
     throw CaseError(ExitCode::Solver, std::to_string(lost) + " of " + std::to_string(initialFluid_) + " fluid particles were lost",
-                    "a wall has a gap, or the run is unstable (a smaller maxCo or deltaT may help); allowed are " +
-                        shortNumber(largestLoss * 100) + " %");
+                    "a wall has a gap, or the run is unstable (a smaller maxCo or deltaT may help); allowed are " + shortNumber(allowed) +
+                        ", a thousandth or two");
 }
 
 void FluidStage::save(State& state) const

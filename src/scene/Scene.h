@@ -63,7 +63,8 @@ public:
     /// `functions`, startFrom and startTime count at the next start. @throw CaseError as at a start; nothing has changed then.
     void takeOver(Dictionary const& control);
 
-    /// Fields for ParaView and a checkpoint, where the step asks for them.
+    /// Fields for ParaView and a checkpoint, where the step asks for them or is the last.
+    /// @throw CaseError Solver after that where the water has gained too much energy (StepGuard).
     void writeIfDue(Step const& step);
     /// Fields of the very start.
     void writeStart();
@@ -83,7 +84,7 @@ public:
     /// Lines of the log for a step.
     void logStep(Step const& step, double executionTime, double clockTime) const;
     /// The bill, escaped particles, limited accelerations.
-    void logEnd(double loopSeconds) const;
+    void logEnd(Cost const& loop) const;
 
     [[nodiscard]] bool hasFluid() const { return fluid_ != nullptr; }
     [[nodiscard]] ParticleSet const& particles() const { return particles_; }

@@ -68,7 +68,7 @@ void Scene::logStop() const
     info() << '\n' << std::endl;
 }
 
-void Scene::logEnd(double loopSeconds) const
+void Scene::logEnd(Cost const& loop) const
 {
     if (fluid_)
     {
@@ -77,7 +77,7 @@ void Scene::logEnd(double loopSeconds) const
                << " times\n\n";
     }
     guard_->report(info());
-    printBill(info(), loopSeconds, particleSteps_);
+    printBill(info(), loop, particleSteps_);
     info() << std::endl;
 }
 

@@ -61,6 +61,7 @@ void Scene::correctFluid(Step const& step)
 
 void Scene::accumulateImpulse(Step const& step)
 {
+    static std::vector<FluidBodyCoupling> const noCouplings;
     if (fixedSurfaces_.empty()) return;
     Real const density = fluid_->fluid().density();
     PressureIntegrationControls controls;
@@ -73,6 +74,13 @@ void Scene::accumulateImpulse(Step const& step)
             controls);
         surface.dryContactFaces(particles_, fluid_->neighbours().grid());
         *wallImpulse_ -= step.dt * surface.integrate(Vector::Zero()).force; // on the water: the reaction
+    }
+    // Pore pressure between a body and a wall presses on both: what dry points of a body carry, the wall gives back.
+    for (FluidBodyCoupling const& coupling : solids_ ? solids_->couplings() : noCouplings)
+    {
+        WettedSurface const& surface = coupling.surface();
+        for (std::size_t s = 0; s < surface.wet().size(); ++s)
+            if (!surface.wet()[s]) *wallImpulse_ -= step.dt * surface.pressure()[s] * surface.area()[s] * surface.normal()[s];
     }
     Real const mass = density * dicts_.lattice.particleVolume() * sumOverRanks(particles_.fluid().size());
     *gravityImpulse_ += step.dt * mass * gravity_;
@@ -128,9 +136,11 @@ void Scene::writeFields()
 
 void Scene::writeIfDue(Step const& step)
 {
-    if (!step.write) return;
+    bool const over = guard_->gainedTooMuch();
+    if (!step.write && !over) return;
     writeFields();
     writeCheckpointNow();
+    guard_->requireNoGain(step.time);
 }
 
 void Scene::writeStart()

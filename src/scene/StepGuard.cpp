@@ -34,6 +34,7 @@ StepGuard::StepGuard(Dictionary const& controlDict, SchemeSet set, bool adjustab
     active_ = dict.getOr<bool>("active", set == SchemeSet::Standard);
     largestRise_ = dict.getInRangeOr("energyRise", 0.001, 0, 1);
     largestLimited_ = dict.getInRangeOr("limited", 0.005, 0, 1);
+    largestGain_ = dict.getInRangeOr("energyGain", 0.2, 0, 1e6);
 }
 
 void StepGuard::take(StepGuard const& edited)
@@ -42,6 +43,7 @@ void StepGuard::take(StepGuard const& edited)
     adjustable_ = edited.adjustable_;
     largestRise_ = edited.largestRise_;
     largestLimited_ = edited.largestLimited_;
+    largestGain_ = edited.largestGain_;
 }
 
 void StepGuard::choose(Step const& step, Real limit)
@@ -74,6 +76,7 @@ void StepGuard::begin(ParticleSet const& particles)
         auto const height = [&](int i) { return -gravity_.dot(particles.r[i]); };
         lowest_ = minOver(particles.owned(), std::numeric_limits<Real>::max(), height).value;
         begun_ = true;
+        given_ = std::max(Real(0), energy(particles));
     }
     begin_ = energy(particles);
     available_ = std::max(available_, begin_);
@@ -87,8 +90,17 @@ bool StepGuard::accepts(Step const& step, ParticleSet const& particles, std::vec
     Real work = 0; // of the bodies on the water
     for (auto const& body : bodies)
         work -= step.dt * (body->fluid.force.dot(body->velocity()) + body->fluid.moment.dot(body->angularVelocity()));
-    Real const rise = available_ > 0 ? (energy(particles) - begin_ - std::max(Real(0), work)) / available_ : 0;
-    Real const share = limited / static_cast<Real>(count);
+    work = std::max(Real(0), work);
+    Real const rise = energy(particles) - begin_ - work;
+    if (!judge(step, available_ > 0 ? rise / available_ : 0, limited / static_cast<Real>(count), crossed)) return false;
+    given_ += work;
+    balance_ += rise;
+    least_ = std::min(least_, balance_);
+    return true;
+}
+
+bool StepGuard::judge(Step const& step, Real rise, Real share, int crossed)
+{
     Real const byRise = largestRise_ > 0 ? rise / largestRise_ : 0, byShare = largestLimited_ > 0 ? share / largestLimited_ : 0;
     Real const byWall = crossed > 0 ? 1 + crossed : 0;
     if (std::max({byRise, byShare, byWall}) <= 1) return true;
@@ -141,6 +153,19 @@ bool StepGuard::refuse(Step const& step, Cause cause, Real excess, std::string c
     return best.dt != step.dt;
 }
 
+Real StepGuard::gain() const { return given_ > 0 ? (balance_ - least_) / given_ : 0; }
+
+void StepGuard::requireNoGain(Real time) const
+{
+    if (!gainedTooMuch()) return;
+    std::ostringstream text;
+    text << "time " << time << " s: the energy of the water goes on rising: it has gained " << percent(gain())
+         << " of what it began with and bodies gave to it (allowed: " << percent(largestGain_) << "); the state of this step is saved";
+    throw CaseError(ExitCode::Solver, text.str(),
+                    "smaller steps (maxCo, maxPressureCo, maxDeltaT or a fixed deltaT), other schemes of system/mpsSchemes, or a larger "
+                    "redoSteps { energyGain ...; }");
+}
+
 void StepGuard::tell(Step const& step, std::string const& finding, std::string const& answer) const
 {
     std::ostringstream text;
@@ -162,6 +187,8 @@ void StepGuard::save(State& state) const
     state.set("stepGuard/counts", std::span<std::int64_t const>(counts));
     std::array<Real, 3> const numbers = {lowest_, available_, longest_};
     state.set("stepGuard/numbers", std::span<Real const>(numbers));
+    std::array<Real, 3> const gains = {given_, balance_, least_};
+    state.set("stepGuard/gains", std::span<Real const>(gains));
 }
 
 void StepGuard::load(State const& state)
@@ -177,6 +204,13 @@ void StepGuard::load(State const& state)
     lowest_ = numbers[0];
     available_ = numbers[1];
     longest_ = numbers[2];
+    given_ = available_;
+    if (!state.has("stepGuard/gains")) return; // of an older version
+    State::Reals const& gains = state.reals("stepGuard/gains");
+    if (gains.size() != 3) throw CaseError(ExitCode::InputOutput, "block stepGuard/gains has a wrong length");
+    given_ = gains[0];
+    balance_ = gains[1];
+    least_ = gains[2];
 }
 
 } // namespace mpsDem

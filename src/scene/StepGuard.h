@@ -29,10 +29,16 @@ namespace mpsDem {
 /// taken and kept, or the run ends with the message of the solver. Afterwards steps grow by the usual tenth. With fixed steps nothing is
 /// taken again: energy and limiter are watched and told.
 ///
+/// What single steps may is too much where it goes on: the run is over once the water has gained more than a share of what it began with and
+/// was given,
+/// \f[ B^m - \min_{k \le m} B^k > \gamma\,(E^0 + \sum_m \max(0, W)),\qquad B^m = \sum_{k \le m} (E^{k+1} - E^k - \max(0, W)) \f]
+/// over the steps as they were kept. Nothing but bodies gives energy to the water, so B falls but for errors.
+///
 /// | key | meaning | unit | default (standard, paper) | range |
 /// | active | whether steps are watched | - | yes, no | - |
 /// | energyRise | epsilon; 0: not watched | - | 0.001 | 0..1 |
 /// | limited | share of limited displacements; 0: not watched | - | 0.005 | 0..1 |
+/// | energyGain | gamma; 0: no limit | - | 0.2 | 0..1e6 |
 class StepGuard
 {
 public:
@@ -72,6 +78,11 @@ public:
     [[nodiscard]] std::int64_t redone(Cause cause) const { return redone_[cause]; }
     [[nodiscard]] std::int64_t redone() const { return redone_[Energy] + redone_[Limiter] + redone_[Wall] + redone_[Failure]; }
     [[nodiscard]] std::int64_t kept() const { return kept_; }
+    /// What the water has gained, over what it began with and was given.
+    [[nodiscard]] Real gain() const;
+    /// @throw CaseError Solver where that is more than energyGain. @param time  Of the state that has been saved [s].
+    void requireNoGain(Real time) const;
+    [[nodiscard]] bool gainedTooMuch() const { return active_ && largestGain_ > 0 && gain() > largestGain_; }
     /// One line for the end of the log, where anything was found.
     void report(std::ostream& os) const;
 
@@ -86,6 +97,8 @@ private:
     };
 
     [[nodiscard]] Real energy(ParticleSet const& particles) const;
+    /// Whether a try is kept. @param rise  Of the energy, over E_0. @param share  Of particles whose displacement was limited.
+    [[nodiscard]] bool judge(Step const& step, Real rise, Real share, int crossed);
     [[nodiscard]] bool refuse(Step const& step, Cause cause, Real excess, std::string const& finding);
     [[nodiscard]] bool helpsToHalve() const;
     void tell(Step const& step, std::string const& finding, std::string const& answer) const;
@@ -93,7 +106,7 @@ private:
     static constexpr int mostHalvings = 3;
 
     bool active_, adjustable_;
-    Real largestRise_, largestLimited_;
+    Real largestRise_, largestLimited_, largestGain_;
     Vector gravity_;
     Real density_;
     std::array<Try, mostHalvings + 1> tries_; ///< Of the present step.
@@ -107,6 +120,8 @@ private:
     bool begun_ = false;
     Real lowest_ = 0, available_ = 0; ///< Least -g.r at the start [m2/s2]; E_0 [J].
     Real longest_ = 0;                ///< Step so far [s].
+    Real given_ = 0;                  ///< E^0 and the work of bodies [J].
+    Real balance_ = 0, least_ = 0;    ///< B and its minimum [J].
 };
 
 } // namespace mpsDem

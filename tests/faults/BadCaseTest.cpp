@@ -64,6 +64,8 @@ std::vector<Fault> const faults{
     {schemes, keep, "cyclic { min (0 0 0); max (1 0 0); }", 2, "periodic borders in a case with fluid and rigid bodies"},
     {schemes, keep, "gradSchemes { grad(p) central; }", 2, "central"},
     {schemes, keep, "sourceSchemes { type mixt; }", 2, "did you mean mixed?"},
+    {schemes, keep, "sourceSchemes { type density; divergence corrected; }", 2, "type density has no divergence"},
+    {schemes, keep, "sourceSchemes { type divergence; density smooth; }", 2, "type divergence has no density"},
     {schemes, keep, "freeSurfaceSchemes { type cones; }", 2, "did you mean cone?"},
     {schemes, keep, "shiftingSchemes { type fick; }", 2, "fick"},
     {schemes, keep, "collisionSchemes { type pair; }", 2, "pair"},
@@ -94,7 +96,10 @@ std::vector<Fault> const faults{
     // Wrong dimensions.
     {particles, "spacing 0.05;", "spacing [0 1 0 0 0 0 0] 0.05;", 2, "takes no dimensions"},
     {gravity, "(0 -9.81 0)", "(0 -9.81)", 3, "3 numbers, not 2"},
-    {transport, "nu 1e-6;", "nu [1 -3 0 0 0 0 0] 1e-6;", 2, "nu"},
+    {transport, "nu 1e-6;", "nu [1 -3 0 0 0 0 0] 1e-6;", 2, "nu has the wrong dimensions [1 -3 0 0 0 0 0]"},
+    {transport, "nu 1e-6;", "nu [0 2 -1 0 0 0 0 1e-6;", 2, "the '[' that begins here is not closed"},
+    {transport, "nu 1e-6;", "nu 0 2] 1e-6;", 2, "']' closes nothing"},
+    {transport, "nu 1e-6;", "nu #{ 1e-6 #};", 2, "code in #{ #} is not supported by design"},
     {transport, "rho 1000;", "rho [0 2 -1 0 0 0 0] 1000;", 3, "rho"},
     {gravity, "[0 1 -2 0 0 0 0]", "[0 1 -1 0 0 0 0]", 2, ""},
     // Numbers out of range, not finite or no numbers.

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "core/Errors.h"
 #include "support/ProgramRun.h"
+#include "support/RunCase.h"
 
 /// What is looked at and what is left alone at the end of a run.
 
@@ -35,4 +37,34 @@ TEST(FinishedRun, tellsParticlesThatFellThroughTheFloor)
     EXPECT_EQ(run.exitCode, 7) << run.output.substr(run.output.size() > 2000 ? run.output.size() - 2000 : 0);
     EXPECT_NE(run.error.find("fluid particles were lost"), std::string::npos) << run.error;
     EXPECT_NE((run.output + run.error).find("Courant number above 1"), std::string::npos);
+}
+
+// Of 800 particles, of which a thousandth is less than one: two may be lost, a third ends the run.
+TEST(FinishedRun, goesOnWithoutTwoParticlesAndEndsWithoutThree)
+{
+    for (int const lost : {2, 3})
+    {
+        RunCase run(0.01);
+        run.write("system/setParticlesDict", "geometry { tank { type polyline; points ((0 0.8 0) (0 0 0) (0.4 0 0) (0.4 0.8 0)); } }\n"
+                                             "regions ( boxToParticle { box (0 0 0) (0.4 0.2 0); } );\nhydrostatic { surface 0.2; }");
+        run.control(0.06, 1e-3).make([&](mpsDem::ParticleSet& particles) {
+            for (int k = 0; k < lost; ++k) particles.r[particles.fluid().first + 100 * k].y() = -1; // far below the floor
+        });
+        if (lost == 2)
+        {
+            run.run();
+            EXPECT_EQ(run.scene().fluid()->escaped(), 2);
+            continue;
+        }
+        try
+        {
+            run.run();
+            ADD_FAILURE() << lost << " particles were lost";
+        }
+        catch (mpsDem::CaseError const& error)
+        {
+            EXPECT_EQ(error.code(), mpsDem::ExitCode::Solver);
+            EXPECT_NE(std::string(error.what()).find("3 of 800 fluid particles were lost"), std::string::npos) << error.what();
+        }
+    }
 }

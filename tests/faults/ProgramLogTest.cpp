@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -157,6 +159,62 @@ TEST(ProgramLog, AnEditedControlDictIsLeftAloneWhereTheRunIsNotModifiable)
     EXPECT_EQ(result.exitCode, 0) << result.error;
     EXPECT_NE(result.output.find("\nTime = 0.3\n"), std::string::npos);
     EXPECT_EQ(result.output.find("Re-read"), std::string::npos);
+}
+
+TEST(ProgramLog, TheBillTellsClockAndProcessorApart)
+{
+    WedgeCase const testCase;
+    testCase.setEndTime("0.02");
+    testCase.makeParticles();
+    std::string const log = testCase.run().output;
+    std::istringstream bill(log.substr(log.find("Cost of the time loop")));
+    std::string line;
+    double clock = 0, processor = 0, share = 0, sum = 0;
+    while (std::getline(bill, line) && line.find("effect ") == std::string::npos)
+    {
+        std::istringstream numbers(line.substr(std::min<std::size_t>(44, line.size())));
+        if (!(numbers >> clock >> processor >> share)) continue;
+        EXPECT_LE(processor, clock + 0.011) << line;
+        if (line.find(" total ") == std::string::npos) sum += share;
+    }
+    EXPECT_NE(log.find("clock s   processor s   share %"), std::string::npos) << log.substr(log.find("Cost of"));
+    EXPECT_GT(processor, 0) << "of the line `total`, the last";
+    EXPECT_EQ(share, 100);
+    EXPECT_NEAR(sum, 100, 0.2) << "of stages and the rest";
+}
+
+TEST(ProgramLog, OptionsOfOpenFoamThatAreNotThereTellWhatToDoInstead)
+{
+    WedgeCase const testCase;
+    for (auto const& [option, instead] : {std::pair{"-parallel", "runs on one rank"},
+                                          {"-time", "startFrom and startTime of system/controlDict"},
+                                          {"-latestTime", "startFrom and startTime of system/controlDict"},
+                                          {"-postProcess", "name them in system/controlDict"}})
+    {
+        ProgramResult const result = testCase.run({option});
+        EXPECT_EQ(result.exitCode, 2) << option;
+        EXPECT_NE(result.error.find(std::string("Invalid option: ") + option + "\n"), std::string::npos) << result.error;
+        EXPECT_NE(result.error.find(instead), std::string::npos) << result.error;
+    }
+}
+
+TEST(ProgramLog, AFileThatIsNotThereHasOneExitCode)
+{
+    WedgeCase const testCase;
+    EXPECT_EQ(runProgram("postGauges", testCase.root()).exitCode, 2); // no system/postGaugesDict
+    EXPECT_EQ(runProgram("setParticles", testCase.root(), {"-dict", "system/nope"}).exitCode, 2);
+    EXPECT_EQ(runProgram("mpsDictionary", testCase.root(), {"nope"}).exitCode, 2);
+    testCase.remove("constant/particleProperties");
+    EXPECT_EQ(testCase.run().exitCode, 2);
+}
+
+TEST(ProgramLog, TimesThatAreNoneAreRefusedBeforeAnythingIsDrawn)
+{
+    WedgeCase const testCase;
+    testCase.write("system/postGaugesDict", "plots { a { type curves; } }\n");
+    ProgramResult const result = runProgram("postGauges", testCase.root(), {"-time", "abc"});
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_NE(result.error.find("-time: \"abc\" in \"abc\" is no time"), std::string::npos) << result.error;
 }
 
 } // namespace

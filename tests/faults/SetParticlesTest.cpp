@@ -273,6 +273,25 @@ TEST(SetParticlesFaults, ARegionThatReachesOutOfTheTankIsWarnedOf)
     EXPECT_EQ(readBytes(ramp.root() / "log").find("reach out"), std::string::npos);
 }
 
+TEST(SetParticlesFaults, WallsInMillimetresAmongMetresAreWarnedOf)
+{
+    std::string const question = "are the lengths of geometry and regions in the same unit, metres?";
+    auto const logOf = [](std::string const& points, std::string const& region) {
+        SmallCase const testCase;
+        testCase.remove("constant/rigidBodyProperties");
+        testCase.write("system/setParticlesDict", "geometry { bed { type polyline; points (" + points + "); } }\n" +
+                                                      "regions ( boxToParticle { box (0 0 0) (" + region + " 0); } );");
+        EXPECT_EQ(runApplication(testCase), 0);
+        return readBytes(testCase.root() / "log");
+    };
+    std::string const huge = logOf("(0 1200 0) (0 0 0) (2000 0 0) (2000 1200 0)", "2 1");
+    EXPECT_NE(huge.find("times as large as the fluid: " + question), std::string::npos) << huge;
+    std::string const large = logOf("(0 90 0) (0 0 0) (90 0 0) (90 90 0)", "1 1");
+    EXPECT_NE(large.find("times those of the fluid, 400: " + question), std::string::npos) << large;
+    EXPECT_EQ(logOf("(0 1.2 0) (0 0 0) (2 0 0) (2 1.2 0)", "2 1").find(question), std::string::npos);
+    EXPECT_EQ(logOf("(0 1.2 0) (0 0 0) (20 0 0) (20 1.2 0)", "0.4 0.4").find(question), std::string::npos) << "a long dry flume";
+}
+
 TEST(SetParticlesFaults, AFullDiskLeavesNothingBehind)
 {
     SmallCase const testCase;

@@ -40,7 +40,7 @@ Real covered(Scene const& scene)
 }
 
 /// A film of the thickness `gap` [m] under the slide, at the spacing 0.04 m.
-void rideOnFilm(std::string const& labelling, Real gap, bool momentum)
+void rideOnFilm(std::string const& labelling, Real gap)
 {
     RunCase run(0.04);
     run.write("system/mpsSchemes", "boundarySchemes { labelling " + labelling + "; }");
@@ -48,7 +48,6 @@ void rideOnFilm(std::string const& labelling, Real gap, bool momentum)
     Watch const watch = runSlide(run, {.top = 0.9, .water = 1, .gap = gap, .stop = "type latch;"}, 0.8);
     expectInBand(name, run, watch, {.height = 1});
     EXPECT_TRUE(run.body().locked());
-    if (momentum) expectMomentum(name, watch);
 }
 
 } // namespace
@@ -61,7 +60,6 @@ TEST(HardSlides, hitsAStopperAtThreeMetresPerSecond)
     Watch const watch =
         runSlide(run, {.top = 0.6, .water = 1, .speed = 3, .stop = "type stopper; e 0.1; impactSpeed 3;", .stopAt = 0}, 0.4);
     expectInBand(name, run, watch, {.height = 1});
-    expectMomentum(name, watch);
     expectBelow(name + ": largest overlap [spacings]", watch.deepest, 0.05);
     expectBelow(name + ": speed of the slide at the end [m/s]", run.body().velocity().norm(), 1);
 }
@@ -71,7 +69,6 @@ TEST(HardSlides, hitsALatchAtThreeMetresPerSecond)
     RunCase run(0.04);
     Watch const watch = runSlide(run, {.top = 0.6, .water = 1, .speed = 3, .stop = "type latch;", .stopAt = 0}, 0.4);
     expectInBand("latch at 3 m/s", run, watch, {.height = 1});
-    expectMomentum("latch at 3 m/s", watch);
     EXPECT_TRUE(run.body().locked());
 }
 
@@ -85,7 +82,7 @@ TEST(HardSlides, entersStillWater)
         if (step.time < 0.1) before = std::max(before, force);
         largest = std::max(largest, force);
     });
-    expectInBand("entry into water", run, watch, {.height = 1});
+    expectInBand("entry into water", run, watch, {.height = 1, .momentum = 0.035});
     expectBelow("entry into water: momentum along x, share", watch.residual.x(), 0.02);
     expectBelow("entry into water: force in the air [N]", before, 0);
     Real const still = 0.5 * 1000 * 9.81 * 0.35 * 0.35; // on the front when the slide has stopped
@@ -109,7 +106,6 @@ TEST(HardSlides, cavityClosesBehind)
         if (scene.bodies()[0]->locked()) open = std::min(open, covered(scene));
     });
     expectInBand("cavity", run, watch, {.height = 1.4, .energy = 0.02});
-    expectBelow("cavity: momentum along x, share", watch.residual.x(), 0.02);
     expectBelow("cavity: water over the slide when it stops, share", open, 0.05);
     expectBetween("cavity: water over the slide at the end, share", covered(run.scene()), 0.9, 1.1);
 }
@@ -133,11 +129,11 @@ TEST(HardSlides, DISABLED_cavityClosesBehindWithoutGainOfEnergy)
 }
 
 // H4. Less than a spacing: no particle is in the gap, and the slide falls shut on the slope.
-TEST(HardSlides, closesAThinFilm) { rideOnFilm("dynamic", 0.024, true); }
-TEST(HardSlides, closesAThinFilmWithoutLabelling) { rideOnFilm("off", 0.024, true); }
+TEST(HardSlides, closesAThinFilm) { rideOnFilm("dynamic", 0.024); }
+TEST(HardSlides, closesAThinFilmWithoutLabelling) { rideOnFilm("off", 0.024); }
 
 // H4. One row of particles is in the gap and is pressed out slowly. Momentum: 0.005 to 0.012 with seven gaps of 54 to 66 mm.
-TEST(HardSlides, ridesOnAThickFilm) { rideOnFilm("dynamic", 0.06, true); }
-TEST(HardSlides, ridesOnAThickFilmWithoutLabelling) { rideOnFilm("off", 0.06, false); }
+TEST(HardSlides, ridesOnAThickFilm) { rideOnFilm("dynamic", 0.06); }
+TEST(HardSlides, ridesOnAThickFilmWithoutLabelling) { rideOnFilm("off", 0.06); }
 
 } // namespace mpsDem::test

@@ -18,9 +18,6 @@ struct SlideCase
     Real stopAt = 0.05; ///< Height of the lower edge at the stop [m].
 };
 
-/// What momentumBudget needs is kept where this is in controlDict.
-inline std::string const budgetEntry = "functions { momentum { type momentumBudget; writeControl none; } }";
-
 /// Writes geometry, water, slide, contact and strong coupling.
 inline void writeSlide(RunCase& run, SlideCase const& slide)
 {

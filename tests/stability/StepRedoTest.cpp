@@ -196,6 +196,17 @@ TEST(StepRedo, endsARunWhoseStepCollapses)
     expectBetween("steps, each halved, until a collapse is told", steps, 55, 75);
 }
 
+// A dam break whose pressure is solved so badly, at such steps, that water gains energy step after step; single steps are not watched.
+TEST(StepRedo, endsARunWhoseEnergyGoesOnRising)
+{
+    std::string const unstable = "maxCo 2; maxPressureCo 2; redoSteps { energyRise 0; limited 0; ";
+    for (bool const limited : {true, false})
+    {
+        RunCase run(0.02);
+        writeTank(run, "UNSTABLE");
+    }
+}
+
 TEST(StepRedo, onlyTellsWhereStepsAreFixedAndNothingWhereItIsOff)
 {
     RunCase fixed(0.02), off(0.02);

@@ -8,16 +8,22 @@ namespace mpsDem::test {
 
 namespace {
 
-void damBreak(std::string const& name, std::string const& control, Real dt, Real jitter, Real energy, Real redone = 0)
+struct DamBreak
+{
+    std::string name, control;
+    Real dt, jitter, energy, redone, momentum;
+};
+
+void damBreak(DamBreak const& c)
 {
     RunCase run(0.02);
     run.write("system/setParticlesDict", "geometry { tank { type polyline; points ((0 1.2 0) (0 0 0) (1.6 0 0) (1.6 1.2 0)); } }\n"
                                          "regions ( boxToParticle { box (0 0 0) (0.6 0.3 0); } );\nlattice { jitter " +
-                                             std::to_string(jitter) + "; }");
-    run.control(1.5, dt, control).make();
+                                             std::to_string(c.jitter) + "; }");
+    run.control(1.5, c.dt, c.control + budgetEntry).make();
     Watch watch;
     run.run([&](Scene const& scene, Step const& step) { watch.observe(scene, step); });
-    expectInBand(name, run, watch, {.height = 0.3, .energy = energy, .redone = redone});
+    expectInBand(c.name, run, watch, {.height = 0.3, .energy = c.energy, .redone = c.redone, .momentum = c.momentum});
 }
 
 // H7: single particles, a pair and a disc fly above the tank and fall into it. They have no row of eq 8, or a group of their own.
@@ -30,7 +36,7 @@ void throwClusters(std::string const& name, Real largestRise)
               " boxToParticle { box (0.2 0.5 0) (0.22 0.52 0); fieldValues ( volVectorFieldValue U (0.5 1 0) ); }\n"
               " boxToParticle { box (0.5 0.5 0) (0.54 0.52 0); fieldValues ( volVectorFieldValue U (0 1 0) ); }\n"
               " sphereToParticle { origin (0.75 0.6 0); radius 0.08; fieldValues ( volVectorFieldValue U (-0.5 0 0) ); } );");
-    run.control(1, 2e-3).make();
+    run.control(1, 2e-3, budgetEntry).make();
     Watch watch;
     run.run([&](Scene const& scene, Step const& step) { watch.observe(scene, step); });
     expectInBand(name, run, watch, {.height = 0.6, .energy = largestRise});
@@ -42,7 +48,7 @@ void shakeFullBox(Real largestEnergy)
     RunCase run(0.025);
     run.write("system/setParticlesDict", "geometry { box { type searchableBox; min (0 0 0); max (0.5 0.5 0); } }\n"
                                          "regions ( boxToParticle { box (0 0 0) (0.5 0.5 0); } );\nlattice { jitter 0.3; }");
-    run.control(2, 2e-3).make();
+    run.control(2, 2e-3, budgetEntry).make();
     Watch watch;
     run.run([&](Scene const& scene, Step const& step) { watch.observe(scene, step); });
     expectBelow("full box, jitter 0.3: kinetic energy at 2 s [J]", kineticEnergy(run.scene()), largestEnergy);
@@ -53,15 +59,30 @@ void shakeFullBox(Real largestEnergy)
 } // namespace
 
 // The case beside which the hard ones are to be seen: its energy never rises by more than 0.5 %.
-TEST(ViolentFlow, damBreaks) { damBreak("dam break", "", 2e-3, 0, 0.005); }
+DamBreak const plain{"dam break", "", 2e-3, 0, 0.005, 0, 0.04};
+TEST(ViolentFlow, damBreaks) { damBreak(plain); }
 
 // H10: the limits of the step twice and four times as wide as by default. Energy rises by 0.9 and 1.3 %. Without redo of steps, 9 of 12 runs
 // with the longest steps and columns of 0.48 to 0.7 m lost particles through the wall; with it 2 do.
-TEST(ViolentFlow, standsStepsTwiceAsLong) { damBreak("dam break, dt x 2", "maxCo 0.5; maxPressureCo 0.5;", 4e-3, 0, 0.02, 0.02); }
-TEST(ViolentFlow, standsStepsFourTimesAsLong) { damBreak("dam break, dt x 4", "maxCo 1; maxPressureCo 1;", 8e-3, 0, 0.02, 0.15); }
+DamBreak const twice{"dam break, dt x 2", "maxCo 0.5; maxPressureCo 0.5;", 4e-3, 0, 0.02, 0.02, 0.06};
+DamBreak const fourTimes{"dam break, dt x 4", "maxCo 1; maxPressureCo 1;", 8e-3, 0, 0.02, 0.15, 0.08};
+TEST(ViolentFlow, standsStepsTwiceAsLong) { damBreak(twice); }
+TEST(ViolentFlow, standsStepsFourTimesAsLong) { damBreak(fourTimes); }
 
-// H17. Energy rises by 0.6 %.
-TEST(ViolentFlow, startsFromDisorder) { damBreak("dam break, jitter 0.3", "", 2e-3, 0.3, 0.02); }
+// H17. Energy rises by 0.4 %.
+DamBreak const disordered{"dam break, jitter 0.3", "", 2e-3, 0.3, 0.02, 0, 0.04};
+TEST(ViolentFlow, startsFromDisorder) { damBreak(disordered); }
+
+// Measured: 0.035, 0.049, 0.067 and 0.033 in 1.5 s. The surge along the floor and its run-up at the far wall are layers of a few particles:
+// the forces that the corrected gradient gives them are not those that the walls' pressures sum to.
+TEST(ViolentFlow, DISABLED_damBreaksKeepMomentum)
+{
+    for (DamBreak one : {plain, twice, fourTimes, disordered})
+    {
+        one.momentum = 0.02;
+        damBreak(one);
+    }
+}
 
 TEST(ViolentFlow, clustersFlyAndFallBack) { throwClusters("clusters in flight", 0.05); }
 

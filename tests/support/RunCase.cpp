@@ -262,6 +262,7 @@ void expectInBand(std::string const& name, RunCase const& run, Watch const& watc
     expectBelow(name + ": steps taken again, share", watch.redone(), band.redone, place);
     expectBelow(name + ": limited displacements, share", watch.limited(), band.limited, place);
     expectBelow(name + ": particles lost", static_cast<Real>(run.scene().fluid()->escaped()), 0, place);
+    expectMomentum(name, watch, band.momentum, place);
 }
 
 void Jump::add(Vector const& value)
@@ -277,10 +278,10 @@ void Jump::add(Vector const& value)
 
 Real Jump::value() const { return count_ > 0 ? std::sqrt(squares_ / static_cast<Real>(count_)) : 0; }
 
-void expectMomentum(std::string const& name, Watch const& watch, Place const& place)
+void expectMomentum(std::string const& name, Watch const& watch, Real bound, Place const& place)
 {
     EXPECT_GT(watch.residual.norm(), 0) << "no momentumBudget in controlDict";
-    expectBelow(name + ": momentum residual over weight x 1 s", watch.residual.norm(), 0.02, place);
+    expectBelow(name + ": momentum residual over weight x 1 s", watch.residual.norm(), bound, place);
 }
 
 } // namespace mpsDem::test

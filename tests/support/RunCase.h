@@ -151,18 +151,23 @@ Real percentile(std::vector<Real> samples, Real q);
 /// Bounds of a case that must stay in band to its end.
 struct Band
 {
-    Real height;         ///< H of the speed sqrt(2 g H) [m].
-    Real energy = 0.005; ///< Rise of the energy over that of the start.
-    Real density = 0.3;  ///< 99th percentile of the density deviation: at a deficit of 0.3 a particle is on the surface.
-    Real overlap = 0.01; ///< 99th percentile of the overlap [spacings].
-    Real limited = 1e-3; ///< Share of limited displacements.
-    Real redone = 0.01;  ///< Share of steps that were taken again.
+    Real height;          ///< H of the speed sqrt(2 g H) [m].
+    Real energy = 0.005;  ///< Rise of the energy over that of the start.
+    Real density = 0.3;   ///< 99th percentile of the density deviation: at a deficit of 0.3 a particle is on the surface.
+    Real overlap = 0.01;  ///< 99th percentile of the overlap [spacings].
+    Real limited = 1e-3;  ///< Share of limited displacements.
+    Real redone = 0.01;   ///< Share of steps that were taken again.
+    Real momentum = 0.02; ///< Change without an impulse from outside, over the weight of the water during 1 s.
 };
 
-/// Expects energy, speed, density, overlap and limited displacements in the band, no step cut and no particle lost.
+/// What momentumBudget needs is kept where this is in controlDict.
+inline std::string const budgetEntry = "functions { momentum { type momentumBudget; writeControl none; } }";
+
+/// Expects energy, speed, density, overlap, limited displacements and momentum in the band, no step cut and no particle lost.
+/// The case has `budgetEntry` in its controlDict.
 void expectInBand(std::string const& name, RunCase const& run, Watch const& watch, Band const& band, Place const& place = Place::current());
-/// Expects that momentum of water and bodies changes by the impulses from outside, to 2 % of the weight of the water in 1 s.
-void expectMomentum(std::string const& name, Watch const& watch, Place const& place = Place::current());
+/// Expects that momentum of water and bodies changes by the impulses from outside, to this share of the weight of the water in 1 s.
+void expectMomentum(std::string const& name, Watch const& watch, Real bound = Band{}.momentum, Place const& place = Place::current());
 
 /// A step-to-step measure of noise: root mean square of the change of a vector.
 class Jump

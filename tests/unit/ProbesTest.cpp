@@ -1,4 +1,10 @@
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
 #include <gtest/gtest.h>
+
+#include "core/Log.h"
 
 #include "support/FunctionObjectScene.h"
 
@@ -56,16 +62,46 @@ TEST(Probes, WetWallsCountForPressureOnlyAndDryOnesNotAtAll)
     EXPECT_GT(scene.table("watch/0/p.dat").column("p0")[0], scene.table("watch/0/p.dat").column("p0")[1]);
 }
 
-TEST(Probes, AreZeroWhereThereIsNothing)
+TEST(Probes, AreNoNumberWhereThereIsNothing)
 {
     FunctionObjectScene scene({2, 0.1, 1});
     fillTank(scene);
     RunContext const context = scene.context();
     makeFunctionObject("type probes; probeLocations ((1 3 0)); fields (p U);", context)->write({1, 0.5, 0.1, false});
-    EXPECT_EQ(scene.table("watch/0/p.dat").column("p0")[0], 0);
-    EXPECT_EQ(scene.table("watch/0/U.dat").column("U0x")[0], 0);
+    EXPECT_TRUE(std::isnan(scene.table("watch/0/p.dat").column("p0")[0]));
+    EXPECT_TRUE(std::isnan(scene.table("watch/0/U.dat").column("U0x")[0]));
     EXPECT_EQ(scene.table("watch/0/count.dat").column("count0")[0], 0);
     EXPECT_THROW(makeFunctionObject("type probes; probeLocations ((1 3 0)); fields (q);", context), CaseError);
+}
+
+TEST(Probes, OutsideOfWallsAndFluidAreWarnedOf)
+{
+    FunctionObjectScene scene({2, 0.1, 1});
+    fillTank(scene); // x from 0.05 to 1.95 m, y from -0.05 to 0.95 m
+    RunContext const context = scene.context();
+    auto const warnings = [&](std::string const& entries) {
+        int const before = warningCount();
+        makeFunctionObject(entries, context);
+        return warningCount() - before;
+    };
+    EXPECT_EQ(warnings("type probes; probeLocations ((1 0.5 0) (0.1 0.94 0));"), 0);
+    EXPECT_EQ(warnings("type probes; probeLocations ((1 0.5 0) (1 3 0));"), 1);
+    EXPECT_EQ(warnings("type interfaceHeight; locations ((1 99 0));"), 0) << "heights do not count";
+    EXPECT_EQ(warnings("type interfaceHeight; locations ((1 0 0) (7 0 0));"), 1);
+    EXPECT_EQ(warnings("type freeSurfaceProfile; from 0.1; to 1.9;"), 0);
+    EXPECT_EQ(warnings("type freeSurfaceProfile; from -3; to 1.9;"), 1);
+}
+
+TEST(Probes, HeadsTellZerosWithoutSign)
+{
+    FunctionObjectScene scene({2, 0.1, 1});
+    fillTank(scene);
+    RunContext const context = scene.context();
+    makeFunctionObject("type interfaceHeight; locations ((1 -0.0 0));", context)->write({1, 0.5, 0.1, false});
+    std::ifstream in(scene.folder / "postProcessing/watch/0/height.dat");
+    std::string const head((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    EXPECT_NE(head.find("along (0 1 0) [m]"), std::string::npos) << head;
+    EXPECT_EQ(head.find("-0 "), std::string::npos) << head;
 }
 
 } // namespace

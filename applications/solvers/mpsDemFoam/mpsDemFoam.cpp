@@ -6,6 +6,7 @@
 
 #include "common/CommandLine.h"
 #include "core/Log.h"
+#include "core/Timers.h"
 #include "io/CaseLock.h"
 #include "mpsDemFoam/Progress.h"
 #include "mpsDemFoam/StopRequest.h"
@@ -51,6 +52,7 @@ int run(CommandLine const& line)
 
     info() << "Starting time loop\n" << std::endl;
     Clock::time_point const loopBegin = Clock::now();
+    double const processorBegin = Timers::processorTime();
     while (scene.time().running())
     {
         Step const step = scene.takeStep([&scene](Step const& wanted) { advance(scene, wanted); });
@@ -65,7 +67,7 @@ int run(CommandLine const& line)
         scene.logStop();
     else
         scene.writeEnd();
-    scene.logEnd(secondsSince(loopBegin));
+    scene.logEnd({secondsSince(loopBegin), Timers::processorTime() - processorBegin});
     info() << "End\n" << std::endl;
     return static_cast<int>(scene.time().stopping() ? ExitCode::Stopped : ExitCode::Done);
 }

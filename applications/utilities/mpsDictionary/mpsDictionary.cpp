@@ -85,7 +85,7 @@ void print(po::variables_map const& given)
 {
     fs::path const file = given["file"].as<std::vector<std::string>>().front();
     // Named as the user named it: messages about the content name it relative to its case.
-    if (!fs::exists(fs::status(file))) throw CaseError(ExitCode::InputOutput, file.string() + ": the file is not there");
+    if (!fs::exists(fs::status(file))) throw CaseError(ExitCode::BadInput, file.string() + ": the file is not there");
     fs::path const root = given.count("case") != 0 ? fs::path(given["case"].as<std::string>()) : caseOf(file);
     std::vector<std::string> warnings;
     auto const dictionary =

@@ -73,9 +73,19 @@ std::size_t nearestTime(std::vector<Real> const& times, Real wanted, Location co
     return best;
 }
 
-std::vector<std::size_t> timesInRanges(std::vector<Real> const& times, std::string const& ranges)
+namespace {
+
+/// One piece of `-time`: from .. to, or the time nearest to `from`.
+struct TimeRange
 {
-    std::set<std::size_t> chosen;
+    Real from, to;
+    bool single;
+};
+
+std::vector<TimeRange> parseRanges(std::string const& ranges)
+{
+    constexpr Real unbounded = std::numeric_limits<Real>::infinity();
+    std::vector<TimeRange> parsed;
     std::string_view left = ranges;
     while (!left.empty())
     {
@@ -86,14 +96,28 @@ std::vector<std::size_t> timesInRanges(std::vector<Real> const& times, std::stri
         std::size_t const colon = word.find(':');
         if (colon == std::string_view::npos)
         {
-            chosen.insert(nearestTime(times, requireNumber(word, ranges), {}));
+            parsed.push_back({requireNumber(word, ranges), 0, true});
             continue;
         }
-        constexpr Real unbounded = std::numeric_limits<Real>::infinity();
         Real const from = colon == 0 ? -unbounded : requireNumber(word.substr(0, colon), ranges);
         Real const to = colon + 1 == word.size() ? unbounded : requireNumber(word.substr(colon + 1), ranges);
-        addRange(chosen, times, from, to);
+        parsed.push_back({from, to, false});
     }
+    return parsed;
+}
+
+} // namespace
+
+void requireRanges(std::string const& ranges) { static_cast<void>(parseRanges(ranges)); }
+
+std::vector<std::size_t> timesInRanges(std::vector<Real> const& times, std::string const& ranges)
+{
+    std::set<std::size_t> chosen;
+    for (TimeRange const& range : parseRanges(ranges))
+        if (range.single)
+            chosen.insert(nearestTime(times, range.from, {}));
+        else
+            addRange(chosen, times, range.from, range.to);
     require(!chosen.empty(), {}, "-time: no written time in \"" + ranges + "\"", "written times: " + timesText(times));
     return {chosen.begin(), chosen.end()};
 }

@@ -23,6 +23,9 @@ struct TimeOptions
 /// @throw CaseError (BadInput) where none is that near; the message names those that exist.
 std::size_t nearestTime(std::vector<Real> const& times, Real wanted, Location const& where);
 
+/// @throw CaseError (BadInput) for text that is no list of ranges, before anything is drawn.
+void requireRanges(std::string const& ranges);
+
 /// Indices of the times in the ranges, increasing, each once. A number without ':' takes the nearest time as `nearestTime` does.
 /// @throw CaseError (BadInput) for text that is no list of ranges and where no time is left.
 std::vector<std::size_t> timesInRanges(std::vector<Real> const& times, std::string const& ranges);

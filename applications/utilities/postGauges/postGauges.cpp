@@ -4,6 +4,7 @@
 #include "core/Dictionary.h"
 #include "core/Log.h"
 #include "postGauges/Plot.h"
+#include "postGauges/TimeSelection.h"
 
 // postGauges: gauges, curves and pictures from what the solver wrote, as system/postGaugesDict asks for.
 
@@ -26,6 +27,7 @@ ApplicationDescription description()
 int work(CommandLine const& line)
 {
     std::filesystem::path const root = line.caseRoot();
+    requireRanges(line.valueOr("time", ""));
     std::filesystem::path const file = root / line.valueOr("dict", "system/postGaugesDict");
     auto const dict = Dictionary::fromFile(file, root);
     dict.requireHeader();

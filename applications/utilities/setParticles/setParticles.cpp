@@ -7,6 +7,7 @@
 #include "scene/InitialFiles.h"
 #include "scene/InitialReport.h"
 #include "scene/InitialState.h"
+#include "scene/ScaleCheck.h"
 
 namespace {
 
@@ -44,6 +45,8 @@ int setParticles(CommandLine const& line)
     InitialScene const scene = makeInitialScene(definition);
     std::string const report = initialReport(definition, scene, caseFolder.readIfPresent("constant/contactProperties"));
     info() << report << '\n';
+    std::string const doubt = doubtfulScale(scene);
+    if (!doubt.empty()) warn(doubt);
 
     if (overwrite) clearCheckpoints(checkpoints, true);
     writeInitialFiles(caseFolder, definition, scene, report, fingerprint);
