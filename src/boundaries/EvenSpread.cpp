@@ -18,7 +18,8 @@ constexpr Real reachOfRepulsion = 1.5; ///< In spacings.
 constexpr Real layerHeight = 0.5;      ///< Particles repel each other within a layer of this half height, in spacings.
 constexpr Real longestStep = 0.12;     ///< In spacings.
 constexpr Real strength = 0.35;        ///< Step for an overlap of the whole reach, in spacings.
-constexpr int steps = 6;
+constexpr int passes = 8;              ///< In which the darts are thrown.
+constexpr int steps = 6;               ///< Of repulsion.
 constexpr int stepsBetweenPulls = 2;
 constexpr int tagOfRow = 1 << 30;
 Real const smoothCosine = std::cos(35.0 * std::numbers::pi / 180);
@@ -89,11 +90,12 @@ void EvenSpread::throwDarts()
                 u = 1 - u;
                 v = 1 - v;
             }
-            darts_.push_back({static_cast<int>(f), u, v, uniform()});
+            Real const rank = uniform();
+            darts_.push_back({static_cast<int>(f), u, v, rank, static_cast<int>(passes * uniform())});
         }
     }
-    for (std::size_t i = darts_.size(); i > 1; --i)
-        std::swap(darts_[i - 1], darts_[static_cast<std::size_t>(uniform() * static_cast<Real>(i))]);
+    // In passes over the faces rather than in any order: neighbours are then neighbours in memory.
+    std::stable_sort(darts_.begin(), darts_.end(), [](Dart const& d, Dart const& e) { return d.pass < e.pass; });
 }
 
 Vector EvenSpread::foot(Dart const& dart) const
@@ -161,6 +163,8 @@ std::vector<EvenSpread::Particle> EvenSpread::particles(int row) const
         own.add(c.position, 0);
         result.push_back({c, where == Standing::InRow});
     }
+    std::stable_sort(result.begin(), result.end(),
+                     [](Particle const& p, Particle const& q) { return p.candidate.face < q.candidate.face; });
     return result;
 }
 

@@ -10,7 +10,7 @@
 
 namespace mpsDem {
 
-/// Particles spread evenly over the rows behind bent faces: darts in an order of a fixed seed, then steps of mutual repulsion along the row.
+/// Particles spread evenly over the rows behind bent faces: darts of a fixed seed, then steps of mutual repulsion along the row.
 ///
 /// Darts that keep a distance r until none has room have 0.697 particles on r x r (random sequential covering of 0.547 by discs), one on
 /// l0 x l0 for r = 0.83 l0; the steps then even them out without a change of their number.
@@ -30,6 +30,7 @@ private:
         int face;
         Real u, v;
         Real rank; ///< 0 to 1: a row takes the darts of lower rank than its area over the greatest one.
+        int pass;
     };
 
     /// A particle in the course of being placed.
