@@ -56,7 +56,7 @@ private:
     bool allWallRows_;
     CellGrid grid_;
     Field<std::uint8_t> fluidInCell_; ///< For each cell of the grid: dry walls are found so without a look at their neighbours.
-    Field<int> start_, index_; ///< index and weights have room behind the last pair.
+    Field<int> start_, index_;        ///< index and weights have room behind the last pair.
     Field<Real> gradientWeight_, laplacianWeight_;
 };
 
