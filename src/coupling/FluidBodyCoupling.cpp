@@ -14,12 +14,8 @@ namespace {
 /// Largest ratio of added mass to mass at which weak coupling is silent, and at which it is allowed.
 constexpr Real quietRatio = 0.5;
 constexpr Real largestRatio = 0.8;
-/// Steps between two looks at the added mass of a weakly coupled body, at most, and how fast it may grow in a step: it does so where a body
-/// sinks or comes near a wall with no more of its surface wet, by 0.004 in a step of a box of four spacings that falls into water.
-constexpr Real checkInterval = 50;
-constexpr Real growthPerStep = 0.01;
-/// More wet surface than at the last look asks for another one.
-constexpr Real wetGrowth = 1.2;
+/// Steps between two looks at the added mass of a weakly coupled body: it grows where a body comes near a wall, too.
+constexpr std::int64_t checkInterval = 50;
 /// Warnings of added mass, over all bodies.
 constexpr int mostWarnings = 10;
 
@@ -141,7 +137,7 @@ bool FluidBodyCoupling::weakIsToBeChecked(Step const& step)
 {
     auto const wet = std::count(surface_.wet().begin(), surface_.wet().end(), 1);
     if (wet == 0 || direction_.empty() || body_.locked()) return false;
-    return static_cast<Real>(wet) > wetGrowth * static_cast<Real>(checkedWet_) || step.number >= nextCheck_;
+    return wet > 2 * checkedWet_ || step.number % checkInterval == 0;
 }
 
 void FluidBodyCoupling::decide(Real ratio, std::string const& text)
@@ -175,8 +171,6 @@ void FluidBodyCoupling::checkWeak(Step const& step)
         warnedOf_ = limit;
     }
     checkedWet_ = std::count(surface_.wet().begin(), surface_.wet().end(), 1);
-    Real const left = ratio <= quietRatio ? quietRatio - ratio : ratio <= largestRatio ? largestRatio - ratio : 1;
-    nextCheck_ = step.number + static_cast<std::int64_t>(std::clamp(left / growthPerStep, Real(1), checkInterval));
 }
 
 void FluidBodyCoupling::load(ParticleSet const& particles, NeighbourList const& neighbours, Step const& step,
@@ -224,7 +218,6 @@ void FluidBodyCoupling::save(State& state) const
     state.set(prefix + "localNormal", std::span<Vector const>(localNormal_));
     state.set(prefix + "addedMass", std::span<Real const>(addedMass_.data(), 36));
     state.set(prefix + "checkedWet", checkedWet_);
-    state.set(prefix + "nextCheck", nextCheck_);
     state.set(prefix + "strong", std::int64_t(mode_ == Mode::Strong));
 }
 
@@ -235,7 +228,6 @@ void FluidBodyCoupling::load(State const& state)
     localNormal_ = state.vectors(prefix + "localNormal");
     addedMass_ = Eigen::Map<Matrix6 const>(state.reals(prefix + "addedMass").data());
     checkedWet_ = state.integer(prefix + "checkedWet");
-    nextCheck_ = state.has(prefix + "nextCheck") ? state.integer(prefix + "nextCheck") : 0; // absent in states of an older version
     if (controls_.automatic && state.integer(prefix + "strong") != 0) mode_ = Mode::Strong;
 }
 

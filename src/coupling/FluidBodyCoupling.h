@@ -28,8 +28,8 @@ using PressureResponse = std::function<void(Field<Vector> const& acceleration, F
 ///   lagged  as strong, with M_a and p_k renewed every `addedMassInterval` steps and the pressure left uncorrected
 ///   auto    weak, and strong from the first step on in which lambda is found to be above 0.5
 ///
-/// While the coupling is weak, lambda is found in the first step, whenever a fifth more of the surface is wet than at the last time, and
-/// after 50 steps at the latest, the sooner the nearer it is to the limit that comes next: a step for each 0.01 that is left.
+/// While the coupling is weak, lambda is found in the first step, every 50th, and whenever twice as much of the surface is wet as at the
+/// last time.
 /// In weak mode u* of the body's particles is their u: the change of u since the last step, a dt of that step, is what eq 8 answers, so the
 /// slopes and ghosts that take the body's last acceleration agree with it. u + a dt instead would make eq 8 answer 2 a - a' (a' that of the
 /// step before): an error grows by the roots of x^2 + 2 lambda x - lambda, stable up to lambda = 1/3 only and not up to 1.
@@ -106,7 +106,6 @@ private:
     WettedSurface surface_;
     Matrix6 addedMass_ = Matrix6::Zero();
     Vector6 assumed_ = Vector6::Zero();
-    std::int64_t nextCheck_ = 0;        ///< Step at which that is done again at the latest.
     std::int64_t checkedWet_ = 0;       ///< Wet points when the added mass was last held against the mass (weak); 0: not yet.
     Real warnedOf_ = 0;                 ///< The limit of lambda that the log has told to be exceeded.
     std::vector<int> direction_;        ///< Free degrees of freedom.

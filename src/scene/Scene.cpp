@@ -56,7 +56,6 @@ Scene::Scene(CaseFolder const& caseFolder, Options const& options)
 {
     State const start = findStart(case_, *time_, dicts_.lattice);
     readStart(start);
-    checkDimensions(particles_, surfaces_);
     checkSpacing(particles_);
     checkStart(start);
     if (dicts_.transport) buildFluid();
@@ -97,6 +96,7 @@ void Scene::readStart(State const& start)
     startStep_ = time_->stepNumber();
     particles_.load(start);
     surfaces_ = loadSurfaces(start);
+    checkDimensions(particles_, surfaces_);
     for (Surface const& surface : surfaces_) surfaceNames_.push_back(surface.name());
     wallOf_ = loadWallOf(start, static_cast<std::size_t>(particles_.boundary().size()), surfaces_.size());
     if (dicts_.bodies) bodies_ = readBodies(*dicts_.bodies, start, {dicts_.lattice, case_.root()});

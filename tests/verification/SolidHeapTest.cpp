@@ -67,7 +67,7 @@ TEST(SolidHeap, costGrowsWithContacts)
 }
 
 // Fifty blocks fall, and lie still on one another in the end, without energy from nowhere.
-TEST(SolidHeap, fiftyBlocksComeToRest)
+TEST(SolidHeapGate, fiftyBlocksComeToRest)
 {
     auto scene = falling(50);
     Real const start = scene->energy();

@@ -192,25 +192,4 @@ TEST(WeakCoupling, isAsQuietAsStrongForTheWedge)
     expectBelow("wedge, spacing 0.04: jump when weak over that when strong", weak / strong, 1.5);
 }
 
-// A box of four spacings that stands on the water and sinks in: its added mass grows from 0.47 to 0.62 of its mass with no more of its
-// surface wet. With a look every 50 steps it was taken for weak until step 100.
-TEST(WeakCoupling, becomesStrongSoonAfterTheAddedMassHasGrownWhereTheTypeIsAuto)
-{
-    RunCase run(0.05);
-    run.write("system/setParticlesDict", "geometry { tank { type polyline; points ((0 1.6 0) (0 0 0) (2 0 0) (2 1.6 0)); } }\n"
-                                         "regions ( boxToParticle { box (0 0 0) (2 1 0); } );\nhydrostatic { surface 1; }");
-    run.write("constant/rigidBodyProperties", "bodies { float { shape { type box; min (0.9 1 0); max (1.1 1.2 0); } density 800; } }");
-    run.write("system/mpsSolution", "coupling { type auto; }");
-    run.control(0.3, 1e-3).make();
-    run.start();
-    Real ratio = 0;
-    for (int k = 1; k <= 120 && coupling(run).mode() == FluidBodyCoupling::Mode::Weak; ++k)
-    {
-        run.step();
-        ratio = coupling(run).addedMassRatio();
-    }
-    EXPECT_EQ(coupling(run).mode(), FluidBodyCoupling::Mode::Strong);
-    expectBetween("sinking box, 4 spacings: added mass over mass when it is found", ratio, 0.5, 0.54);
-}
-
 } // namespace mpsDem::test
