@@ -23,17 +23,14 @@ class Brackets
 public:
     void follow(Token const& token, Lexer const& lexer)
     {
-        if (token.opens() || token.isPunctuation('['))
+        if (token.opens())
         {
             open_.push_back(token);
             require(open_.size() <= static_cast<std::size_t>(maxNesting), lexer.where(token.line), "lists are nested more than 64 deep");
         }
-        bool const square = !open_.empty() && open_.back().isPunctuation('[');
-        require(!square || !token.isPunctuation(';'), lexer.where(square ? open_.back().line : 0),
-                "the '[' that begins here is not closed");
-        if (!token.closes() && !token.isPunctuation(']')) return;
+        if (!token.closes()) return;
         require(!open_.empty(), lexer.where(token.line), "'" + token.text + "' closes nothing: is a ';' missing before it?");
-        bool const partner = square == token.isPunctuation(']') && open_.back().isPunctuation('(') == token.isPunctuation(')');
+        bool const partner = open_.back().isPunctuation('(') == token.isPunctuation(')');
         require(partner, lexer.where(token.line),
                 "'" + token.text + "' cannot close the '" + open_.back().text + "' of line " + std::to_string(open_.back().line));
         open_.pop_back();
@@ -226,9 +223,6 @@ void Reader::checkForbidden(Entry const& entry) const
     if (options_.lenient) return;
     Location const where = here().where(entry);
     require(entry.key != "libs", where, "libs is not supported by design: a case is data, never code");
-    bool const verbatim =
-        std::any_of(entry.tokens.begin(), entry.tokens.end(), [](Token const& t) { return t.kind == TokenKind::Verbatim; });
-    require(!verbatim, where, "code in #{ #} is not supported by design: a case is data, never code");
     bool const type = (entry.key == "type" || entry.key == "functionObjectType") && !entry.tokens.empty() && entry.tokens[0].isName();
     if (!type) return;
     std::string const& word = entry.tokens[0].text;

@@ -132,9 +132,7 @@ void ValueReader::takeDimensions(std::vector<int> const& expected)
     given.resize(7, 0);
     std::vector<Real> wanted(expected.begin(), expected.end());
     wanted.resize(7, 0);
-    std::vector<int> const shown(given.begin(), given.end());
-    require(given == wanted, where, entry_.key + " has the wrong dimensions " + dimensionsText(shown),
-            "allowed: " + dimensionsText(expected) + " or none");
+    require(given == wanted, where, entry_.key + " has the wrong dimensions", "allowed: " + dimensionsText(expected) + " or none");
 }
 
 void ValueReader::finish() const
