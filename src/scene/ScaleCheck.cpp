@@ -9,7 +9,7 @@ namespace mpsDem {
 
 namespace {
 
-constexpr Real mostWallParticles = 20; ///< Over those of the fluid.
+constexpr Real mostWallParticles = 30; ///< Over those of the fluid.
 constexpr Real largestRatio = 100;     ///< Of extents.
 
 /// Largest side of the box around the particles that count [m]; 0 where none does.

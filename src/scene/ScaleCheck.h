@@ -6,7 +6,7 @@
 
 namespace mpsDem {
 
-/// What looks as if walls and regions were given in different units, such as millimetres among metres: more than 20 wall and ghost particles
+/// What looks as if walls and regions were given in different units, such as millimetres among metres: more than 30 wall and ghost particles
 /// for each of the fluid, or walls that are 100 times as large as the fluid or a hundredth of it. Empty where nothing does, and for a case
 /// without walls or fluid.
 [[nodiscard]] std::string doubtfulScale(InitialScene const& scene);
