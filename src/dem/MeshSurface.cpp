@@ -51,6 +51,7 @@ MeshSurface::MeshSurface(std::span<TriSurface const> all, std::size_t own, Real 
       covers_(rimCovers(all, own, 1e-3 * depth)),
       points_(all[own].points()),
       patches_(all[own].patches()),
+      solid_(all[own].closed() && all[own].volume() > 0),
       grid_(all[own], depth)
 {
     near_ = std::max(1e-9 * depth, 1e-14 * std::max(grid_.box().low.norm(), grid_.box().high.norm()));
@@ -250,6 +251,7 @@ void MeshSurface::collect(std::span<Sphere const> spheres, Real reach, std::vect
     for (std::size_t i = 0; i < spheres.size(); ++i)
     {
         Sphere const& sphere = spheres[i];
+        if (solid_ && grid_.box().distance(sphere.centre) > sphere.radius + reach) continue;
         Real const limit = std::max(depth_, sphere.radius + reach);
         grid_.near(sphere.centre, limit, query.near);
         query.candidates.clear();

@@ -88,6 +88,7 @@ private:
     std::vector<Vector> directions_;           ///< Of the edges at each vertex, away from it.
     std::vector<std::pair<int, int>> valleys_; ///< Patches that meet in a valley; sorted.
     int patches_ = 0;
+    bool solid_ = false; ///< Closed with the solid inside: nothing outside of its box can be behind it.
     TriangleGrid grid_;
 };
 

@@ -1,6 +1,7 @@
 // Many bodies: the cost of contact grows with the bodies that are near one another, not with all pairs; the order and time at which pairs
 // are made and looked for does not change a bit.
 
+#include "core/Log.h"
 #include "core/State.h"
 #include "support/SolidScene.h"
 
@@ -27,7 +28,7 @@ std::unique_ptr<SolidScene> falling(int count)
                          Quaternion(Eigen::AngleAxisd(0.03 * (i % 7), Vector(1, 2, i % 4).normalized())));
     }
     for (RigidBody* block : scene->pointers) block->setVelocity({0, 0, -0.3 * block->centre().z() / side}, Vector::Zero());
-    scene->build("mu 0.4; e 0.2; impactSpeed 2;");
+    scene->build("mu 0.4; e 0.2; impactSpeed 1;");
     return scene;
 }
 
@@ -42,7 +43,7 @@ TEST(SolidHeap, costGrowsWithContacts)
     auto const cost = [](int count) {
         auto scene = falling(count);
         Cost sum{0, 0, 0, 0};
-        for (int i = 0; i < 40; ++i)
+        for (int i = 0; i < 20; ++i)
         {
             scene->step(2e-3);
             ContactModel::Work const work = scene->contact->work();
@@ -63,7 +64,38 @@ TEST(SolidHeap, costGrowsWithContacts)
         expectBetween(std::string("falling blocks, ") + name + " per contact, 200 / 50",
                       (many.*part / many.contacts) / (few.*part / few.contacts), 0.7, 1.3);
     }
-    expectBelow("falling blocks, comparisons of boxes per fluid step and block, 200", many.boxes / 40 / 200, 100);
+    expectBelow("falling blocks, comparisons of boxes per fluid step and block, 200", many.boxes / 20 / 200, 100);
+}
+
+// Fifty blocks fall on the floor and on one another: no energy from nowhere, none lost without heat, nothing sinks in.
+TEST(SolidHeap, fiftyBlocksFall)
+{
+    muteLog(true);
+    auto scene = falling(50);
+    Real const start = scene->energy();
+    Real const scale = scene->kineticEnergy() + 50 * 1.5 * 9.81 * 0.3;
+    Real gained = 0, overlap = 0;
+    std::size_t contacts = 0;
+    for (int i = 0; i < 50; ++i)
+    {
+        scene->step(4e-3);
+        gained = std::max(gained, (scene->energy() - start) / scale);
+        overlap = std::max(overlap, scene->contact->maxOverlap() / scene->spacing);
+        contacts = std::max(contacts, scene->contact->contactCount());
+    }
+    muteLog(false);
+    EXPECT_GT(contacts, 500u);
+    expectBelow("fifty blocks, largest gain of energy, relative", gained, 1e-3);
+    expectBelow("fifty blocks, energy budget, relative", (scene->energy() - start) / scale, 1e-2);
+    expectBelow("fifty blocks, largest overlap / spacing", overlap, 0.1);
+    Real lowest = 1, fastest = 0;
+    for (RigidBody const* block : scene->pointers)
+    {
+        lowest = std::min(lowest, block->centre().z());
+        fastest = std::max(fastest, block->velocity().norm());
+    }
+    expectBetween("fifty blocks, lowest centre / half side", lowest / (side / 2), 0.98, 1.8);
+    expectBelow("fifty blocks, fastest after 0.2 s [m/s]; 2.5 before", fastest, 1);
 }
 
 // Fifty blocks fall, and lie still on one another in the end, without energy from nowhere.
