@@ -127,7 +127,7 @@ TEST(SolidHeapGate, fiftyBlocksComeToRest)
 TEST(SolidHeap, goesOnBitwiseAfterLoadAndRestore)
 {
     auto whole = falling(20);
-    for (int i = 0; i < 15; ++i) whole->step(2e-3);
+    for (int i = 0; i < 36; ++i) whole->step(2e-3);
     ASSERT_GT(whole->contact->contactCount(), 0u);
     State state;
     for (RigidBody const* body : whole->pointers) body->save(state);
