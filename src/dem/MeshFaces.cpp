@@ -108,7 +108,13 @@ std::vector<MeshFace> meshFaces(TriSurface const& surface)
     faces.reserve(surface.triangles().size());
     for (auto const& t : surface.triangles())
     {
-        MeshFace face{{surface.point(t, 0), surface.point(t, 1), surface.point(t, 2)}, {}, t.normal, t.patch, t.corner, {-1, -1, -1}};
+        MeshFace face{{surface.point(t, 0), surface.point(t, 1), surface.point(t, 2)},
+                      {},
+                      t.normal,
+                      surface.point(t, 0),
+                      t.patch,
+                      t.corner,
+                      {-1, -1, -1}};
         for (std::size_t k = 0; k < 3; ++k) face.outward[k] = (face.corner[(k + 1) % 3] - face.corner[k]).cross(t.normal).normalized();
         faces.push_back(face);
     }
@@ -125,6 +131,33 @@ std::vector<MeshFace> meshFaces(TriSurface const& surface)
             }
         }
     return faces;
+}
+
+void sharePlanes(std::vector<MeshFace>& faces, int patches, Real tolerance)
+{
+    auto const count = static_cast<std::size_t>(patches);
+    std::vector<Vector> normals(count, Vector::Zero()), origins(count, Vector::Constant(1e300));
+    for (MeshFace const& face : faces)
+    {
+        auto const p = static_cast<std::size_t>(face.patch);
+        if (normals[p].isZero()) origins[p] = face.corner[0];
+        normals[p] += (face.corner[1] - face.corner[0]).cross(face.corner[2] - face.corner[0]);
+    }
+    for (Vector& normal : normals) normal.normalize();
+    std::vector<char> bent(count, 0);
+    for (MeshFace const& face : faces)
+    {
+        auto const p = static_cast<std::size_t>(face.patch);
+        for (Vector const& corner : face.corner)
+            if (std::abs((corner - origins[p]).dot(normals[p])) > tolerance) bent[p] = 1;
+    }
+    for (MeshFace& face : faces)
+    {
+        auto const p = static_cast<std::size_t>(face.patch);
+        if (bent[p]) continue;
+        face.normal = normals[p];
+        face.origin = origins[p];
+    }
 }
 
 std::vector<MeshEdge> meshEdges(TriSurface const& surface, std::vector<MeshFace> const& faces)

@@ -15,13 +15,14 @@ struct MeshFace
     std::array<Vector, 3> corner;  ///< [m].
     std::array<Vector, 3> outward; ///< Unit vectors in the plane of the triangle, out of it through side k.
     Vector normal;                 ///< Into the free space.
+    Vector origin;                 ///< A point of its plane [m].
     int patch;                     ///< As in TriSurface::Triangle.
     TriSurface::Corners vertex;    ///< Numbers of the corners.
     TriSurface::Corners edge;      ///< Numbers of the sides.
 
     /// Length by which r lies beyond side k [m]; negative inside.
     [[nodiscard]] Real beyond(std::size_t k, Vector const& r) const { return (r - corner[k]).dot(outward[k]); }
-    [[nodiscard]] Real height(Vector const& r) const { return (r - corner[0]).dot(normal); }
+    [[nodiscard]] Real height(Vector const& r) const { return (r - origin).dot(normal); }
     /// Nearest point of the triangle to r.
     [[nodiscard]] Vector nearest(Vector const& r) const;
 };
@@ -46,6 +47,8 @@ struct RimCover
 };
 
 std::vector<MeshFace> meshFaces(TriSurface const& surface);
+/// Gives all faces of a patch one plane where its corners lie on that within `tolerance` [m]: rounding in small or thin triangles is not felt.
+void sharePlanes(std::vector<MeshFace>& faces, int patches, Real tolerance);
 std::vector<MeshEdge> meshEdges(TriSurface const& surface, std::vector<MeshFace> const& faces);
 
 /// Parts of the rims of surface `own` that lie (within `tolerance` [m]) on one of all surfaces, itself included: the rim of a ramp on a

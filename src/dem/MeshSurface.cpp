@@ -55,6 +55,7 @@ MeshSurface::MeshSurface(std::span<TriSurface const> all, std::size_t own, Real 
       grid_(all[own], depth)
 {
     near_ = std::max(1e-9 * depth, 1e-14 * std::max(grid_.box().low.norm(), grid_.box().high.norm()));
+    sharePlanes(faces_, patches_, near_);
     findValleys();
     findVertices(all[own]);
 }

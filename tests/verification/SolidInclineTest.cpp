@@ -17,15 +17,17 @@ std::string linear(Real mu, Real stiffness = 1e9)
 }
 
 /// A block lies with the overlap that carries it on the plane z = 0, under gravity that leans by `angle` towards x: an incline in its own
-/// axes. @param yaw  Turn of the block about z.
-std::unique_ptr<SolidScene> blockOnPlane(Real mu, Real angle, Real spacing, TriSurface const& plane, Real stiffness = 1e9, Real yaw = 0)
+/// axes. @param yaw  Turn of the block about z. @param turn  Of everything.
+std::unique_ptr<SolidScene> blockOnPlane(Real mu, Real angle, Real spacing, TriSurface const& plane, Real stiffness = 1e9, Real yaw = 0,
+                                         Quaternion const& turn = Quaternion::Identity())
 {
     auto scene = std::make_unique<SolidScene>();
-    scene->gravity = g * Vector(std::sin(angle), 0, -std::cos(angle));
+    scene->gravity = g * (turn * Vector(std::sin(angle), 0, -std::cos(angle)));
     scene->spacing = spacing;
-    scene->walls = {plane};
+    scene->walls = {plane.moved(turn.toRotationMatrix(), Vector::Zero())};
     Real const overlap = density * size.z() * g * std::cos(angle) / stiffness;
-    scene->addCuboid("block", size, density, {0, 0, 0.5 * size.z() - overlap}, Quaternion(Eigen::AngleAxisd(yaw, Vector::UnitZ())));
+    scene->addCuboid("block", size, density, turn * Vector(0, 0, 0.5 * size.z() - overlap),
+                     turn * Quaternion(Eigen::AngleAxisd(yaw, Vector::UnitZ())));
     scene->build(linear(mu, stiffness));
     return scene;
 }
@@ -100,29 +102,31 @@ TEST(SolidIncline, frictionDoesNotDependOnTheSpacing)
     }
 }
 
-// A block that slides and turns on a plane of 2, 200 and 20 000 triangles at random takes the same path, and no joint is felt.
+// A block that slides and turns on a leaning plane of 2, 200 and 20 000 triangles at random takes the same path, and no joint is felt.
 TEST(SolidIncline, cutsOfThePlaneAreNotFelt)
 {
     Vector const low(-1, -1, 0), high(2, 1, 0);
+    Quaternion const lean(Eigen::AngleAxisd(0.7, Vector(1, 2, 3).normalized()));
+    Vector const up = lean * Vector::UnitZ();
     Vector end = Vector::Zero();
     Vector turn = Vector::Zero();
     for (int const cuts : {0, 99, 9999})
     {
-        auto scene = blockOnPlane(0.3, pi / 6, 0.04, cutPlane("plane", low, high, cuts));
+        auto scene = blockOnPlane(0.3, pi / 6, 0.04, cutPlane("plane", low, high, cuts), 1e9, 0, lean);
         RigidBody& block = *scene->pointers[0];
-        block.setVelocity({1, 0.3, 0}, {0, 0, 4});
+        block.setVelocity(lean * Vector(1, 0.3, -1e-5), 4 * up); // it approaches: rounding does not decide whether it does
         Real const weight = block.mass() * g * std::cos(pi / 6);
         Real least = 1e300, most = 0;
         run(*scene, 20); // friction presses the front down at first
         for (int i = 0; i < 40; ++i)
             scene->step(0.002, 1, [&] {
-                least = std::min(least, block.contactNormal.force.z());
-                most = std::max(most, block.contactNormal.force.z());
+                least = std::min(least, block.contactNormal.force.dot(up));
+                most = std::max(most, block.contactNormal.force.dot(up));
             });
         std::string const name = "plane of " + std::to_string(2 + 2 * cuts) + " triangles, ";
         expectBetween(name + "least normal force / weight", least / weight, 0.999, 1.001);
         expectBetween(name + "largest normal force / weight", most / weight, 0.999, 1.001);
-        EXPECT_GT(block.centre().x(), 0.1);
+        EXPECT_GT(block.centre().dot(lean * Vector::UnitX()), 0.1);
         if (cuts == 0)
         {
             end = block.centre();
