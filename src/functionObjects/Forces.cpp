@@ -51,18 +51,19 @@ void Forces::findCorners()
     ParticleSet const& particles = context_.particles;
     Lattice const& lattice = particles.lattice();
     auto const walls = static_cast<std::size_t>(particles.wall().size());
+    int const needed = lattice.dimensions == 2 ? 1 : 3; // the row along an edge between two sides has two
     CellGrid grid;
     grid.build(std::span<Vector const>(particles.r.data(), walls), neighbouring * lattice.spacing, lattice.dimensions);
     area_.assign(walls, 0);
     for (int i : particles.wall())
     {
         if (context_.wallOf[i] < 0) continue;
-        bool hasLike = false;
+        int like = 0;
         grid.forEachWithin(particles.r[i], neighbouring * lattice.spacing, [&](int j, Vector const&, Real) {
             bool const same = j != i && context_.wallOf[j] == context_.wallOf[i];
-            hasLike = hasLike || (same && particles.normal[i].dot(particles.normal[j]) > alike);
+            like += same && particles.normal[i].dot(particles.normal[j]) > alike ? 1 : 0;
         });
-        if (hasLike) area_[i] = lattice.particleVolume() / lattice.spacing;
+        if (like >= needed) area_[i] = lattice.particleVolume() / lattice.spacing;
     }
 }
 

@@ -13,7 +13,8 @@ namespace mpsDem {
 /// Walls: \f$\mathbf F=-\sum_i (p_i+\tfrac12\rho\,l_0\,\mathbf g\cdot\mathbf n_i)\,\mathbf n_i\,\Delta A\f$ over wet wall particles, the
 /// second term carrying the pressure from the particle to the surface half a spacing in front of it; dA = spacing times thickness
 /// (spacing^2 in 3-D). A particle in a corner, whose normal is more than 20 degrees off that of every neighbour on its wall, has no
-/// area of its own. Viscous stress is left out. Bodies: eqs 15-16, as the body felt them in this step.
+/// area of its own; in 3-D one with fewer than three neighbours of its direction, as in a row along an edge between two
+/// sides. Viscous stress is left out. Bodies: eqs 15-16, as the body felt them in this step.
 ///
 /// | key | meaning | default |
 /// | patches | names of fixed surfaces | all, where bodies is absent too |

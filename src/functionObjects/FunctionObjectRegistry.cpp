@@ -1,4 +1,5 @@
 #include "functionObjects/ClosedVoids.h"
+#include "functionObjects/ElevationMap.h"
 #include "functionObjects/EnergyBudget.h"
 #include "functionObjects/FieldMinMax.h"
 #include "functionObjects/Forces.h"
@@ -8,6 +9,7 @@
 #include "functionObjects/MomentumBudget.h"
 #include "functionObjects/Observed.h"
 #include "functionObjects/Probes.h"
+#include "functionObjects/RunUp.h"
 #include "functionObjects/SixDoFRigidBodyState.h"
 #include "functionObjects/TimeInfo.h"
 
@@ -31,6 +33,7 @@ FunctionObjectRegistry& functionObjectRegistry()
     static FunctionObjectRegistry registry = [] {
         FunctionObjectRegistry all("function object", "function objects");
         add<ClosedVoids>(all, "closedVoids");
+        add<ElevationMap>(all, "elevationMap");
         add<EnergyBudget>(all, "energyBudget");
         add<FieldMinMax>(all, "fieldMinMax");
         add<Forces>(all, "forces");
@@ -38,6 +41,7 @@ FunctionObjectRegistry& functionObjectRegistry()
         add<InterfaceHeight>(all, "interfaceHeight");
         add<MomentumBudget>(all, "momentumBudget");
         add<Probes>(all, "probes");
+        add<RunUp>(all, "runUp");
         add<SixDoFRigidBodyState>(all, "sixDoFRigidBodyState");
         add<TimeInfo>(all, "timeInfo");
         return all;

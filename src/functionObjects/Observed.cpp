@@ -1,6 +1,8 @@
 #include "functionObjects/Observed.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -69,6 +71,20 @@ std::vector<int> readBodies(RunContext const& context, Dictionary const& dict)
     return numbers;
 }
 
+std::vector<int> readPatches(RunContext const& context, Dictionary const& dict, std::string const& key)
+{
+    std::vector<std::string> const& known = context.wallNames;
+    std::vector<int> numbers;
+    for (std::string const& name : dict.get<std::vector<std::string>>(key))
+    {
+        auto const found = std::find(known.begin(), known.end(), name);
+        require(found != known.end(), dict.where(key), "there is no fixed surface \"" + name + "\"", knownWords("surfaces", name, known));
+        numbers.push_back(static_cast<int>(found - known.begin()));
+    }
+    require(!numbers.empty(), dict.where(key), key + " is an empty list", "at least one fixed surface");
+    return numbers;
+}
+
 Vector readUp(RunContext const& context, Dictionary const& dict)
 {
     Vector const direction = dict.getOr<Vector>("direction", -context.gravity);
@@ -108,6 +124,20 @@ void addVectorColumns(std::vector<std::string>& columns, std::string const& name
 }
 
 void addVector(std::vector<Real>& values, Vector const& vector) { values.insert(values.end(), vector.data(), vector.data() + 3); }
+
+void addNumbers(std::string& table, std::initializer_list<Real> values)
+{
+    char const* separator = "";
+    for (Real const value : values)
+    {
+        std::array<char, 32> buffer{};
+        auto const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 10).ptr;
+        table += separator;
+        table.append(buffer.data(), end);
+        separator = " ";
+    }
+    table += '\n';
+}
 
 std::string text(Vector const& vector)
 {

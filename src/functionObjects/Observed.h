@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ void requireFluid(RunContext const& context, Dictionary const& dict);
 /// @throw CaseError BadInput for an unknown name and for a case without bodies.
 std::vector<int> readBodies(RunContext const& context, Dictionary const& dict);
 
+/// Numbers of the fixed surfaces that a list of names holds.
+/// @throw CaseError BadInput for an unknown name, a missing and an empty list.
+std::vector<int> readPatches(RunContext const& context, Dictionary const& dict, std::string const& key);
+
 /// Unit vector against gravity, or the key `direction`.
 /// @throw CaseError BadInput where both are zero, or where the direction leaves the plane of a 2-D case.
 Vector readUp(RunContext const& context, Dictionary const& dict);
@@ -39,6 +44,9 @@ void addVectorColumns(std::vector<std::string>& columns, std::string const& name
 
 /// Appends the three components.
 void addVector(std::vector<Real>& values, Vector const& vector);
+
+/// Appends a row of a table: numbers of ten digits parted by blanks, and a line end.
+void addNumbers(std::string& table, std::initializer_list<Real> values);
 
 /// "(0.1 0.2 0)".
 std::string text(Vector const& vector);

@@ -29,9 +29,15 @@ Real overlap(Real a, Real h, Real w) { return std::max(0.0, std::min(a + h, w) -
 
 SurfaceElevationControls SurfaceElevationControls::read(Dictionary const& dict)
 {
-    SurfaceElevationControls controls;
+    SurfaceElevationControls controls = readDrops(dict);
     controls.method = dict.getWordOr("method", "volume", {"volume", "top"}, "methods") == "top" ? Method::Top : Method::Volume;
     controls.width = dict.getInRangeOr("width", 2, 1, 20);
+    return controls;
+}
+
+SurfaceElevationControls SurfaceElevationControls::readDrops(Dictionary const& dict)
+{
+    SurfaceElevationControls controls;
     controls.splash = static_cast<int>(dict.getInRangeOr("splash", 20, 1, 1e6));
     controls.zero = dict.getOr<Real>("zero", 0);
     return controls;

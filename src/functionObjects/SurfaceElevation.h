@@ -32,6 +32,8 @@ struct SurfaceElevationControls
 
     /// Reads the keys above. @throw CaseError BadInput for an unknown word or a number out of its range.
     static SurfaceElevationControls read(Dictionary const& dict);
+    /// Reads `splash` and `zero` alone.
+    static SurfaceElevationControls readDrops(Dictionary const& dict);
     /// One line for the head of a table.
     [[nodiscard]] std::string str() const;
 };
@@ -60,6 +62,9 @@ public:
     /// Coordinate of the surface along `up`, less `zero` [m]; the height of the location does not matter. Nothing where the column has no fluid.
     [[nodiscard]] std::optional<Real> elevation(Vector const& location) const;
 
+    /// Whether a fluid particle, by its number among the fluid, belongs to a group that is not seen.
+    [[nodiscard]] bool isDrop(int fluid) const;
+
     /// Smallest and largest coordinate of the fluid along `direction` [m]; zero for no fluid.
     [[nodiscard]] std::pair<Real, Real> extent(Vector const& direction) const;
 
@@ -79,7 +84,6 @@ private:
     [[nodiscard]] std::vector<Member> filled(std::vector<Member> const& all) const;
     /// Part of a particle's base that lies in the column.
     [[nodiscard]] Real share(Member const& member) const;
-    [[nodiscard]] bool isDrop(int fluid) const;
     [[nodiscard]] Real byVolume(std::vector<Member> const& members) const;
     [[nodiscard]] Real byFill(std::vector<Member> const& members) const;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,6 +51,22 @@ struct FunctionObjectScene
         std::vector<Point> points;
         for (int j = 0; j < rows; ++j)
             for (int i = 0; i < columns; ++i) points.push_back({Vector((i + 0.5) * l0, (j + 0.5) * l0, 0)});
+        return points;
+    }
+
+    /// Water of a 3-D case below y = surface(x, z), in columns of particles on a square lattice from the corner (0, 0) of the x-z plane; each
+    /// column's highest particle stands half a spacing below the surface.
+    [[nodiscard]] std::vector<Point> columns(int alongX, int alongZ, int layers, std::function<Real(Real, Real)> const& surface) const
+    {
+        Real const l0 = particles.lattice().spacing;
+        std::vector<Point> points;
+        for (int k = 0; k < alongZ; ++k)
+            for (int i = 0; i < alongX; ++i)
+                for (int j = 0; j < layers; ++j)
+                {
+                    Real const x = (i + 0.5) * l0, z = (k + 0.5) * l0;
+                    points.push_back({Vector(x, surface(x, z) - (j + 0.5) * l0, z)});
+                }
         return points;
     }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/Log.h"
+#include "postGauges/MapPlot.h"
 #include "postGauges/Plot.h"
 #include "postGauges/SheetLayout.h"
 #include "postGauges/Text.h"
@@ -39,9 +40,9 @@ TEST(PostGaugesPlot, readsEveryKind)
     auto const dict =
         Dictionary::fromText("plots { a { type curves; curves { c { file \"t.csv\"; } } } b { type gauges; locations ((4 0 0)); }"
                              " c { type profiles; times (0.5); } d { type particles; } e { type convergence; file \"s.dat\"; }"
-                             " f { type particles; view space; } g { type waterSurface; } }");
+                             " f { type particles; view space; } g { type waterSurface; } h { type map; object waves; } }");
     auto const plots = readPlots(dict, {});
-    ASSERT_EQ(plots.size(), 7U);
+    ASSERT_EQ(plots.size(), 8U);
     EXPECT_EQ(plots[3]->name(), "d");
 }
 
@@ -52,7 +53,7 @@ TEST(PostGaugesPlot, readsTheSpecimen)
     dict.requireHeader();
     PostCase const postCase = PostCase::read(folder, {}, dict);
     EXPECT_EQ(postCase.spacing, 0.02);
-    EXPECT_EQ(readPlots(dict, postCase.pictures).size(), 7U);
+    EXPECT_EQ(readPlots(dict, postCase.pictures).size(), 8U);
 }
 
 TEST(PostGaugesPlot, refusesWhatItDoesNotKnow)
@@ -193,6 +194,24 @@ TEST(PostGaugesSheetLayout, rangesThatReadWell)
     EXPECT_GT(high, 5);
     EXPECT_EQ(percentile({5, 1, 4, 2, 3}, 0.5), 3);
     EXPECT_EQ(percentile({5, 1, 4, 2, 3}, 1), 5);
+}
+
+TEST(PostGaugesMap, TakesRowsOfPlaces)
+{
+    Table table;
+    table.names = {"x", "y", "z", "etaMax"};
+    table.columns = {{0, 1, 2, 0, 1, 2}, {0, 0, 0, 0, 0, 0}, {5, 5, 5, 6, 6, 6}, {1, 2, 3, 4, 5, 6}};
+    MapGrid const grid = MapGrid::read(table, "x", "", "etaMax", {});
+    EXPECT_EQ(grid.perRow, 3U);
+    EXPECT_EQ(grid.rows(), 2U);
+    EXPECT_EQ(grid.y[3], 6);
+    std::swap(table.columns[1], table.columns[2]); // a case with gravity along z
+    EXPECT_EQ(MapGrid::read(table, "x", "", "etaMax", {}).y[3], 6);
+    EXPECT_THROW((void)MapGrid::read(table, "x", "", "eta", {}), CaseError);
+    table.columns[0][4] = 1.5;
+    EXPECT_THROW((void)MapGrid::read(table, "x", "", "etaMax", {}), CaseError) << "rows differ";
+    for (auto& column : table.columns) column.resize(3);
+    EXPECT_THROW((void)MapGrid::read(table, "x", "", "etaMax", {}), CaseError) << "one row";
 }
 
 } // namespace mpsDem::postGauges

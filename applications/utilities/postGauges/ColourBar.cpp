@@ -36,6 +36,12 @@ std::array<float, 3> ColourBar::colour(Real value) const
     return paletteColour(palette, std::isfinite(share) ? share : 0);
 }
 
+void writeMargins(std::ostream& script, Box const& panel)
+{
+    script << "set lmargin at screen " << number(panel.left, 9) << "\nset rmargin at screen " << number(panel.right, 9)
+           << "\nset bmargin at screen " << number(panel.bottom, 9) << "\nset tmargin at screen " << number(panel.top, 9) << '\n';
+}
+
 void RangeFinder::add(std::vector<Real> const& values)
 {
     if (values.empty()) return;

@@ -28,6 +28,9 @@ struct ColourBar
     [[nodiscard]] std::array<float, 3> colour(Real value) const;
 };
 
+/// Where a panel lies, as gnuplot's margins.
+void writeMargins(std::ostream& script, Box const& panel);
+
 /// Finds the range of the colours from the values of several pictures: all but the outermost 0.2 % of each, rounded outwards.
 class RangeFinder
 {

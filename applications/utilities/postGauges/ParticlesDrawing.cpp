@@ -58,12 +58,6 @@ private:
 
 constexpr Real titleRoom = 34; ///< Above a sheet [pixels at 13 points].
 
-std::string lineOf(Box const& box)
-{
-    return "set lmargin at screen " + number(box.left, 9) + "\nset rmargin at screen " + number(box.right, 9) + "\nset bmargin at screen " +
-           number(box.bottom, 9) + "\nset tmargin at screen " + number(box.top, 9) + '\n';
-}
-
 } // namespace
 
 void ParticlesPlot::writeColours(std::ostream& script, SheetLayout const& sheet, Scene const& scene) const
@@ -82,7 +76,7 @@ void ParticlesPlot::writePanel(std::ostream& script, SheetLayout const& sheet, s
     auto const columns = static_cast<std::size_t>(sheet.columns);
     bool const left = panel % columns == 0, lowest = panel + columns >= panels;
     std::string const text = (title_.empty() || panels > 1 ? "" : title_ + ", ") + "t = " + fixedNumber(time, scene.decimals) + " s";
-    script << lineOf(sheet.panels[panel]);
+    writeMargins(script, sheet.panels[panel]);
     script << "set xrange [" << number(scene.window.xLow, 9) << ':' << number(scene.window.xHigh, 9) << "]\n";
     script << "set yrange [" << number(scene.window.yLow, 9) << ':' << number(scene.window.yHigh, 9) << "]\n";
     script << "set title " << quoted(text) << " offset 0,-0.4\n";

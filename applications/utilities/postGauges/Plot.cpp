@@ -6,6 +6,7 @@
 #include "postGauges/ConvergencePlot.h"
 #include "postGauges/CurvesPlot.h"
 #include "postGauges/GaugesPlot.h"
+#include "postGauges/MapPlot.h"
 #include "postGauges/ParticlesPlot.h"
 #include "postGauges/ParticlesSpacePlot.h"
 #include "postGauges/ProfilesPlot.h"
@@ -38,6 +39,7 @@ PlotRegistry plotRegistry()
     registry.add("gauges", make<GaugesPlot>);
     registry.add("profiles", make<ProfilesPlot>);
     registry.add("particles", makeParticles);
+    registry.add("map", make<MapPlot>);
     registry.add("waterSurface", make<WaterSurfacePlot>);
     registry.add("convergence", make<ConvergencePlot>);
     return registry;

@@ -31,7 +31,7 @@ private:
 /// Arguments: name, its dictionary, the defaults of all pictures.
 using PlotRegistry = Registry<Plot, std::string const&, Dictionary const&, PictureSettings const&>;
 
-/// curves, gauges, profiles, particles, convergence, waterSurface.
+/// curves, gauges, profiles, particles, convergence, map, waterSurface.
 PlotRegistry plotRegistry();
 
 /// Everything in `plots` of system/postGaugesDict, in its order. Refuses what nobody knows.
