@@ -212,15 +212,22 @@ SurfaceMesh waterSurface(std::span<Vector const> fluid, std::span<Vector const> 
     return mesh;
 }
 
-std::vector<Real> filledShare(std::span<Vector const> fluid, WaterSurfaceControls const& controls)
+std::vector<Real> filledShare(std::span<Vector const> fluid, std::span<Vector const> solid, WaterSurfaceControls const& controls)
 {
-    std::vector<Real> share(fluid.size(), 0.0);
-    if (fluid.empty()) return share;
     Real const radius = controls.radius * controls.spacing, factor = factorOf(controls);
-    CellGrid grid;
-    grid.build(fluid, radius, 3);
-    for (std::size_t i = 0; i < fluid.size(); ++i)
-        grid.forEachWithin(fluid[i], radius, [&](int, Vector const&, Real r2) { share[i] += factor * wendland(std::sqrt(r2) / radius); });
+    auto const shareOf = [&](std::span<Vector const> positions) {
+        std::vector<Real> share(fluid.size(), 0.0);
+        if (positions.empty()) return share;
+        CellGrid grid;
+        grid.build(positions, radius, 3);
+        for (std::size_t i = 0; i < fluid.size(); ++i)
+            grid.forEachWithin(fluid[i], radius,
+                               [&](int, Vector const&, Real r2) { share[i] += factor * wendland(std::sqrt(r2) / radius); });
+        return share;
+    };
+    std::vector<Real> share = shareOf(fluid);
+    std::vector<Real> const walls = shareOf(solid);
+    for (std::size_t i = 0; i < share.size(); ++i) share[i] = std::min(share[i] / std::max(1 - walls[i], leastFree), 1 - walls[i]);
     return share;
 }
 

@@ -48,8 +48,9 @@ struct SurfaceMesh
 /// @throw CaseError (Memory) for a grid of more than 1e9 points.
 SurfaceMesh waterSurface(std::span<Vector const> fluid, std::span<Vector const> solid, WaterSurfaceControls const& controls);
 
-/// Share F of filled space at each of the particles themselves: below 1/2 the surface passes the particle by, a drop too small for it.
-std::vector<Real> filledShare(std::span<Vector const> fluid, WaterSurfaceControls const& controls);
+/// The share of filled space at each of the fluid particles themselves: below 1/2 the surface passes the particle by, which is a drop too
+/// small for it, or has strayed into a wall.
+std::vector<Real> filledShare(std::span<Vector const> fluid, std::span<Vector const> solid, WaterSurfaceControls const& controls);
 
 /// Means of particles' values at other places: kernel-weighted over those within `radius`; where there is none, 0.
 class KernelMean

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -116,9 +117,15 @@ TEST(WaterSurface, PassesALoneDropBy)
     fluid.emplace_back(20, 3, 3);
     SurfaceMesh const mesh = waterSurface(fluid, {}, controlsOf());
     for (Vector const& r : mesh.points) EXPECT_LT(r.x(), 7);
-    auto const share = filledShare(fluid, controlsOf());
+    auto const share = filledShare(fluid, {}, controlsOf());
     expectBetween("filled share at a lone particle, 21 / (16 pi)", share.back(), 0.4177, 0.4179);
     EXPECT_GT(share[3 + 6 * 3 + 36 * 3], 0.95);
+    // Beside walls no particle of still water is a drop; one that has sunk into the floor is.
+    Tank tank;
+    tank.fluid.emplace_back(6, -0.6, 5);
+    auto const inTank = filledShare(tank.fluid, tank.solid, controlsOf());
+    EXPECT_LT(inTank.back(), 0.5);
+    EXPECT_GT(*std::min_element(inTank.begin(), inTank.end() - 1), 0.5);
     EXPECT_TRUE(waterSurface({}, {}, controlsOf()).points.empty());
 }
 

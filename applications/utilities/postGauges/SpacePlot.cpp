@@ -84,6 +84,9 @@ void SpacePlot::findWalls(Series const& series, Scene& scene) const
     std::vector<Vector> const before = first.solid(), after = last.solid();
     std::vector<Vector> places;
     std::vector<Real> behind;
+    auto const within = [this](Vector const& r, Real margin) {
+        return !region_ || ((r.array() >= region_->low.array() - margin).all() && (r.array() <= region_->high.array() + margin).all());
+    };
     std::size_t k = 0;
     for (std::size_t i = 0; i < first.type.size(); ++i)
     {
@@ -91,12 +94,11 @@ void SpacePlot::findWalls(Series const& series, Scene& scene) const
         Vector const& r = before[k];
         bool const still = k >= after.size() || (after[k] - r).norm() < 1e-4 * scene.spacing;
         ++k;
-        bool const inside = !region_ || ((r.array() >= region_->low.array()).all() && (r.array() <= region_->high.array()).all());
-        if (!still || !inside) continue;
+        if (!still || !within(r, 4 * scene.spacing)) continue; // the rim of what is cut off is left out below
         bool const ghost = first.type[i] == static_cast<int>(ParticleKind::Ghost);
         places.push_back(r);
         behind.push_back(ghost ? 1 : 0);
-        if (ghost) continue;
+        if (ghost || !within(r, 0)) continue;
         scene.box.low = scene.box.low.cwiseMin(r + Vector::Constant(0.5 * scene.spacing));
         scene.box.high = scene.box.high.cwiseMax(r - Vector::Constant(0.5 * scene.spacing));
     }
@@ -110,8 +112,13 @@ void SpacePlot::findWalls(Series const& series, Scene& scene) const
     std::vector<Real> const outer = mean.at(scene.walls.points, behind);
     std::erase_if(scene.walls.triangles, [&](auto const& triangle) {
         Real sum = 0;
-        for (int const i : triangle) sum += outer[static_cast<std::size_t>(i)];
-        return sum > 1.5;
+        bool cut = false;
+        for (int const i : triangle)
+        {
+            sum += outer[static_cast<std::size_t>(i)];
+            cut = cut || !within(scene.walls.points[static_cast<std::size_t>(i)], 0);
+        }
+        return cut || sum > 1.5;
     });
 }
 

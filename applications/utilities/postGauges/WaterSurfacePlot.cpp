@@ -80,7 +80,7 @@ std::vector<Real> WaterSurfacePlot::colouredValues(ParticleFrame const& frame, S
 void WaterSurfacePlot::drawDrops(ParticleFrame const& frame, Scene const& scene, SpaceImage& image) const
 {
     std::vector<Vector> const fluid = frame.fluid();
-    std::vector<Real> const share = filledShare(fluid, controlsFor(scene));
+    std::vector<Real> const share = filledShare(fluid, frame.solid(), controlsFor(scene));
     std::vector<Real> const values = coloured() ? fluidValues(frame, field(), scene) : std::vector<Real>();
     for (std::size_t i = 0; i < fluid.size(); ++i)
         if (share[i] < 0.5 && !isClipped(fluid[i]))
