@@ -48,7 +48,9 @@ TEST(FunctionObjects, UnknownTypesAndKeysAreErrorsWithTheNearestName)
 TEST(FunctionObjects, SpecimenNamesEveryTypeAndOnlyKnownKeys)
 {
     FunctionObjectScene scene({2, 0.1, 1});
-    scene.place(scene.block(20, 10));
+    auto points = scene.block(20, 10);
+    for (int j = 0; j < 15; ++j) points.push_back({Vector(-0.05, 0.1 * j + 0.05, 0), ParticleType::Wall, Vector::UnitX()});
+    scene.place(points);
     scene.wallNames = {"ramp", "tank"};
     MassProperties mass;
     mass.mass = 5;
