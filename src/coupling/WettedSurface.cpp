@@ -20,8 +20,9 @@ constexpr Real contactReach = 1.5;
 /// A wall particle of another solid that faces a point within this distance covers it, in spacings, unless fluid is between: this much
 /// nearer to the surface than that wall particle.
 constexpr Real coverReach = 1.5;
-/// It covers what lies behind it, not what is farther than this aside.
-constexpr Real coverAside = 0.75;
+/// It covers what lies behind it, not what is farther than this aside. The sharp tip of a wedge has no wall particles: 0.75 took what lies
+/// under it for wet, and the momentum budget of a slide missed twice as much.
+constexpr Real coverAside = 1.25;
 constexpr Real between = 0.25;
 /// Longest edge of a piece of a triangle, in spacings: two pieces of a square of one spacing.
 constexpr Real longestEdge = 1.4143;

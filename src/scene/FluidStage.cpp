@@ -38,7 +38,11 @@ FluidStage::FluidStage(ParticleSet& particles, std::vector<Surface> const& walls
                                            SurfacePressure::read(setup.schemes.subDictOrEmpty("freeSurfaceSchemes"),
                                                                  setup.schemes.subDictOrEmpty("gradSchemes"), readSchemeSet(setup.schemes)),
                                            particles.lattice(), setup.density, fluid_.gradientConstants(), fluid_.laplacianConstants());
-    if (std::vector<TriSurface> const triangles = trianglesOf(walls); !triangles.empty()) walls3D_.emplace(triangles);
+    if (std::vector<TriSurface> const triangles = trianglesOf(walls); !triangles.empty())
+    {
+        wallGuard_.emplace(triangles, particles.lattice().spacing);
+        takenByWalls_ = &ledger.energy("energy/walls");
+    }
     Real const infinity = std::numeric_limits<Real>::infinity();
     low_ = Vector::Constant(infinity);
     high_ = Vector::Constant(-infinity);
@@ -144,7 +148,16 @@ void FluidStage::correct(Step const& step)
         images_.update(fluid_.shifting()->propose(particles_, neighbours_, step.dt), particles_.halo());
         fluid_.shifting()->apply(particles_, neighbours_);
     }
+    guardWalls();
     particles_.dropHalo();
+}
+
+void FluidStage::guardWalls()
+{
+    if (!wallGuard_) return;
+    Timers::Scope const timer(Timers::stage(boundaryTimer_));
+    Real const mass = fluid_.density() * particles_.lattice().particleVolume();
+    *takenByWalls_ += mass * sumOverRanks(wallGuard_->apply(particles_, neighbours_));
 }
 
 void FluidStage::checkFinite(Range const& range, Step const& step) const
@@ -167,6 +180,8 @@ void FluidStage::checkFinite(Range const& range, Step const& step) const
 
 std::int64_t FluidStage::escaped() const { return sumOverRanks(escaped_); }
 
+std::int64_t FluidStage::putBack() const { return sumOverRanks(wallGuard_ ? wallGuard_->putBack() : 0); }
+
 bool FluidStage::hasEscaped(int i) const
 {
     Vector const& r = particles_.r[i];
@@ -176,8 +191,8 @@ bool FluidStage::hasEscaped(int i) const
         Polyline::Closest const nearest = wall.closest(r);
         if (nearest.distance < -particles_.lattice().spacing && !nearest.atVertex) return true;
     }
-    if (!walls3D_) return false;
-    TriangleTree::Nearest const nearest = walls3D_->nearest(r);
+    if (!wallGuard_) return false;
+    TriangleTree::Nearest const nearest = wallGuard_->nearest(r);
     return nearest.distance < -particles_.lattice().spacing && !nearest.atRim;
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "boundaries/BoundaryLabeller.h"
-#include "boundaries/TriangleTree.h"
+#include "boundaries/WallGuard.h"
 #include "core/Surface.h"
 #include "coupling/FluidBodyCoupling.h"
 #include "fluid/Fluid.h"
@@ -63,6 +63,9 @@ public:
     /// Particles taken out because they left the domain or went through a wall, since the start; of all ranks.
     [[nodiscard]] std::int64_t escaped() const;
 
+    /// Times that a particle was put back behind a wall since the start of the program, of all ranks (3-D).
+    [[nodiscard]] std::int64_t putBack() const;
+
     /// Called where a state is written: forgets what a restarted run would not have.
     void forget() { pressure_->forget(); }
     void save(State& state) const;
@@ -72,6 +75,7 @@ public:
     static constexpr int sortInterval = 50;
 
 private:
+    void guardWalls();
     void sortAndCheck(Step const& step);
     void requireFewLost(std::int64_t lost) const;
     [[nodiscard]] bool hasEscaped(int i) const;
@@ -79,8 +83,9 @@ private:
     void checkFinite(Range const& range, Step const& step) const;
 
     ParticleSet& particles_;
-    std::vector<Polyline> walls_; ///< 2-D
-    std::optional<TriangleTree> walls3D_;
+    std::vector<Polyline> walls_;        ///< 2-D
+    std::optional<WallGuard> wallGuard_; ///< 3-D
+    Real* takenByWalls_ = nullptr;       ///< Entry of the ledger [J].
     Vector gravity_;
     Radii radii_;
     std::unique_ptr<BoundaryLabeller> labeller_;

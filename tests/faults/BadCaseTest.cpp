@@ -96,10 +96,10 @@ std::vector<Fault> const faults{
     // Wrong dimensions.
     {particles, "spacing 0.05;", "spacing [0 1 0 0 0 0 0] 0.05;", 2, "takes no dimensions"},
     {gravity, "(0 -9.81 0)", "(0 -9.81)", 3, "3 numbers, not 2"},
-    {transport, "nu 1e-6;", "nu [1 -3 0 0 0 0 0] 1e-6;", 2, "nu has the wrong dimensions [1 -3 0 0 0 0 0]"},
-    {transport, "nu 1e-6;", "nu [0 2 -1 0 0 0 0 1e-6;", 2, "the '[' that begins here is not closed"},
-    {transport, "nu 1e-6;", "nu 0 2] 1e-6;", 2, "']' closes nothing"},
-    {transport, "nu 1e-6;", "nu #{ 1e-6 #};", 2, "code in #{ #} is not supported by design"},
+    {transport, "nu 1e-6;", "nu [1 -3 0 0 0 0 0] 1e-6;", 2, "nu has the wrong dimensions"},
+    {transport, "nu 1e-6;", "nu [0 2 -1 0 0 0 0 1e-6;", 2, "an exponent of the dimensions, as in [0 2 -1 0 0 0 0], is expected"},
+    {transport, "nu 1e-6;", "nu 0 2] 1e-6;", 2, "nu has more than one value: 0 2 ]"},
+    {transport, "nu 1e-6;", "nu #{ 1e-6 #};", 2, "nu: a number is expected, not #{ 1e-6 #}"},
     {transport, "rho 1000;", "rho [0 2 -1 0 0 0 0] 1000;", 3, "rho"},
     {gravity, "[0 1 -2 0 0 0 0]", "[0 1 -1 0 0 0 0]", 2, ""},
     // Numbers out of range, not finite or no numbers.

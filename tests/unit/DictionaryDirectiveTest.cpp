@@ -123,7 +123,7 @@ TEST_F(DictionaryDirective, includeCannotLeaveTheCaseThroughALink)
     EXPECT_NE(refusal("#sinclude \"link\"\n").find("leaves the case"), std::string::npos);
 }
 
-TEST_F(DictionaryDirective, absentFilesAndFoldersAreInputOutputErrors)
+TEST_F(DictionaryDirective, absentFilesAreBadInputAndFoldersAreRefused)
 {
     try
     {
@@ -132,7 +132,7 @@ TEST_F(DictionaryDirective, absentFilesAndFoldersAreInputOutputErrors)
     }
     catch (CaseError const& error)
     {
-        EXPECT_EQ(error.code(), ExitCode::InputOutput);
+        EXPECT_EQ(error.code(), ExitCode::BadInput);
         EXPECT_STREQ(error.what(), "system/absent: the file is not there");
     }
     EXPECT_THROW(Dictionary::fromFile(root_ / "system", root_), CaseError);

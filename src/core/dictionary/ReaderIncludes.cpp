@@ -71,7 +71,7 @@ std::string Reader::load(fs::path const& path, Location const& where)
     std::string const name = where.file.empty() ? nameOf(path) : path.string();
     auto const refuse = [&](std::string const& what) { throw CaseError(ExitCode::InputOutput, where, name + ": " + what); };
     fs::file_status const status = fs::status(path, error);
-    if (!fs::exists(status)) refuse("the file is not there");
+    require(fs::exists(status), where, name + ": the file is not there");
     if (!fs::is_regular_file(status)) refuse("is no ordinary file");
     auto const size = fs::file_size(path, error);
     if (error) refuse("the file cannot be read: " + error.message());
