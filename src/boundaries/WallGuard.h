@@ -31,7 +31,7 @@ public:
     /// Particles that were put back since the start, of this rank.
     [[nodiscard]] std::int64_t putBack() const { return putBack_; }
 
-    static constexpr Real deepest = 0.3; ///< Behind the surface, in spacings.
+    static constexpr Real deepest = 0.1; ///< Behind the surface, in spacings.
 
 private:
     void findSuspects(ParticleSet const& particles, NeighbourList const& neighbours);

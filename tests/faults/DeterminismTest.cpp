@@ -38,6 +38,17 @@ TEST(Determinism, TwoRunsWithFluidWriteTheSameBytes)
     expectSameResults(first, second);
 }
 
+TEST(Determinism, TwoRunsInThreeDimensionsWriteTheSameBytes)
+{
+    SpaceWedgeCase const first, second;
+    for (WedgeCase const* testCase : {static_cast<WedgeCase const*>(&first), static_cast<WedgeCase const*>(&second)})
+    {
+        testCase->makeParticles();
+        ASSERT_EQ(testCase->run().exitCode, 0);
+    }
+    expectSameResults(first, second);
+}
+
 TEST(Determinism, TwoDryRunsWriteTheSameBytes)
 {
     DryWedgeCase const first, second;

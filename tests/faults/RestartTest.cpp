@@ -175,6 +175,22 @@ TEST(Restart, InTheMiddleOfAnImpactKeepsTheContactHistory)
     }
 }
 
+TEST(Restart, InThreeDimensionsGivesTheBytesOfTheUnbrokenRun)
+{
+    SpaceWedgeCase const unbroken;
+    unbroken.makeParticles();
+    ASSERT_EQ(unbroken.run().exitCode, 0);
+    ASSERT_EQ(unbroken.checkpoints().size(), 6u);
+    for (std::string const half : {"0.1", "0.25"})
+    {
+        SpaceWedgeCase const broken;
+        broken.makeParticles();
+        expectContinues(unbroken, broken, half);
+        for (char const* object : {"slide", "gauges", "energy", "momentum"})
+            EXPECT_EQ(rowsOf(broken, object, {"0", half}), rowsOf(unbroken, object, {"0"})) << object << ", restart at " << half;
+    }
+}
+
 TEST(Restart, AfterKillGoesOnFromTheNewestWholeCheckpoint)
 {
     WedgeCase const unbroken;

@@ -1,9 +1,11 @@
-// Cost of a particle-step of the standard scheme in 2-D: a column of water that has collapsed for a while, one core.
+// Cost of a particle-step of the standard schemes in 2-D and 3-D: a column of water that has collapsed for a while, one core.
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <fstream>
+#include <string>
 
 #include "core/Timers.h"
 #include "support/RunCase.h"
@@ -28,6 +30,29 @@ void writeColumn(RunCase& run, Real spacing)
     run.control(10, 0.2 * spacing).make();
 }
 
+/// The same in a channel half as wide as the column is high.
+void writeColumnInSpace(RunCase& run, Real spacing)
+{
+    run.threeDimensions();
+    run.write("system/setParticlesDict", "geometry { tank { type searchableBox; min (0 0 0); max (2.4 1.2 0.3); open (top); } }\n"
+                                         "regions ( boxToParticle { box (0 0 0) (1.2 0.6 0.3); } );\nhydrostatic { surface 0.6; }");
+    run.control(10, 0.2 * spacing).make();
+}
+
+/// Largest memory that the program had so far [bytes]; 0 where the system does not tell.
+double peakMemory()
+{
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;)
+        if (word == "VmHWM:")
+        {
+            double kilobytes = 0;
+            status >> kilobytes;
+            return 1024 * kilobytes;
+        }
+    return 0;
+}
+
 /// Share of each stage: their clock counts other programs as well, so that shares say more than seconds.
 void printStages()
 {
@@ -38,12 +63,8 @@ void printStages()
 }
 
 /// Microseconds per fluid particle and step, processor time: the best of several windows, for others may use the machine as well.
-void expectCost(std::string const& name, int particles, int warmUp, int windows, int steps, Real bound)
+void measure(RunCase& run, std::string const& name, int warmUp, int windows, int steps, Real bound)
 {
-    if (!optimised) GTEST_SKIP() << "this build is made for other things than speed";
-    Real const spacing = std::sqrt(0.72 / particles);
-    RunCase run(spacing);
-    writeColumn(run, spacing);
     Timers::clear();
     run.start();
     for (int k = 0; k < warmUp; ++k) run.step();
@@ -59,10 +80,32 @@ void expectCost(std::string const& name, int particles, int warmUp, int windows,
     expectBelow(name + ", " + std::to_string(count) + " particles [us per particle-step]", best, bound);
 }
 
+void expectCost(std::string const& name, int particles, int warmUp, int windows, int steps, Real bound)
+{
+    if (!optimised) GTEST_SKIP() << "this build is made for other things than speed";
+    Real const spacing = std::sqrt(0.72 / particles);
+    RunCase run(spacing);
+    writeColumn(run, spacing);
+    measure(run, name, warmUp, windows, steps, bound);
+}
+
 } // namespace
 
 TEST(ParticleStep, costsLittleAtTenThousand) { expectCost("dam break", 10000, 150, 5, 20, 3); }
 
 TEST(ParticleStepGate, costsLittleAtAHundredThousand) { expectCost("dam break", 100000, 100, 5, 10, 3); }
+
+TEST(ParticleStepGate, costsLittleInSpaceAtTwoHundredThousand)
+{
+    if (!optimised) GTEST_SKIP() << "this build is made for other things than speed";
+    Real const spacing = std::cbrt(1.2 * 0.6 * 0.3 / 2e5);
+    double const before = peakMemory();
+    RunCase run(spacing);
+    writeColumnInSpace(run, spacing);
+    measure(run, "dam break in 3-D", 40, 4, 5, 8);
+    double const taken = peakMemory() - before;
+    std::printf("    %-44s %14.6g\n", "memory [kB per fluid particle]", 1e-3 * taken / run.particles().fluid().size());
+    expectBelow("dam break in 3-D: memory [kB per particle]", 1e-3 * taken / run.particles().owned().size(), 1.5);
+}
 
 } // namespace mpsDem::test

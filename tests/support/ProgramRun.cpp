@@ -147,6 +147,17 @@ DryWedgeCase::DryWedgeCase()
     write("constant/contactProperties", "mu 0.2;\ne 0.2;\n");
 }
 
+SpaceWedgeCase::SpaceWedgeCase()
+{
+    write("constant/particleProperties", "dimensions 3;\nspacing 0.1;\n");
+    write("system/setParticlesDict",
+          "geometry { bed { type polyline; points ((-0.4 1.4 0) (1 0 0) (1.8 0 0) (1.8 1.4 0)); zRange (0 0.4); sideWalls yes; } }\n"
+          "regions ( boxToParticle { box (-0.4 0 0) (1.8 1 0.4); } );\n"
+          "hydrostatic { surface 1; }\n");
+    write("constant/rigidBodyProperties", "bodies { slide {\nshape { type polygon; points ((0.01 0.99 0) (0.51 0.49 0) (0.51 0.99 0)); "
+                                          "zRange (0.05 0.3); }\ndensity 2036;\n} }\n");
+}
+
 void WedgeCase::write(std::string const& file, std::string const& content, std::string const& headerClass) const
 {
     fs::create_directories((root() / file).parent_path());

@@ -92,6 +92,13 @@ public:
     DryWedgeCase();
 };
 
+/// One in 3-D: the same wedge in a channel 0.4 m wide between side walls, narrower than it and free to turn, 700 particles of 0.1 m.
+class SpaceWedgeCase : public WedgeCase
+{
+public:
+    SpaceWedgeCase();
+};
+
 /// Content of a file; empty where there is none.
 std::string contentOf(std::filesystem::path const& file);
 
