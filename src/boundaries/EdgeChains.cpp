@@ -102,7 +102,7 @@ private:
         auto const& e = surfaces_.edge(edge);
         Vector const a = surfaces_.corner(e.corner[0]).point, b = surfaces_.corner(e.corner[1]).point;
         Vector const n = surfaces_.face(e.left).normal;
-        EdgeChain::Piece result{forwards ? a : b, forwards ? b : a, n, Vector::Zero(), edge};
+        EdgeChain::Piece result{forwards ? a : b, forwards ? b : a, n, Vector::Zero(), e.left, edge};
         if (e.rim())
             result.outwards = (b - a).cross(n).normalized();
         else
@@ -148,7 +148,7 @@ std::vector<EdgeChain::Place> EdgeChain::places(Real depth, Real spacing) const
         while (i + 1 < count && passed + length[i] < along) passed += length[i++];
         Real const share = length[i] > 0 ? (along - passed) / length[i] : 0.5;
         result.push_back(
-            {corners[i] + share * (corners[i + 1] - corners[i]), pieces[i].outwards, pieces[i].depth.normalized(), pieces[i].edge});
+            {corners[i] + share * (corners[i + 1] - corners[i]), pieces[i].outwards, pieces[i].depth.normalized(), pieces[i].face, pieces[i].edge});
     }
     return result;
 }

@@ -23,7 +23,8 @@ struct EdgeChain
         Vector a, b;     ///< [m]
         Vector depth;    ///< Row k: -(k + 1/2) l0 depth. The bisector, of length 1 / sin(half the angle); at a rim the normal.
         Vector outwards; ///< At a rim: unit vector in the surface, away from it.
-        int edge;
+        int face;        ///< One of the faces that meet there.
+        int edge = -1;   ///< Number of the edge; -1 where surfaces cut through each other.
     };
 
     /// A particle on it.
@@ -32,6 +33,7 @@ struct EdgeChain
         Vector point; ///< [m]
         Vector outwards;
         Vector normal;
+        int face;
         int edge;
     };
 

@@ -118,6 +118,13 @@ void SurfaceRowBuilder::addBeyond(Candidate const& c)
     put(c, near.atRim ? c.normal : Vector((near.point - c.position) / below), wall ? ParticleType::Wall : ParticleType::Ghost);
 }
 
+void SurfaceRowBuilder::addInJunction(Candidate const& c)
+{
+    Real const off = -tree_.distance(c.position) - depth(c.row);
+    if (off < -shortfall * spacing_ || off > longestPull * spacing_) return; // behind a third surface
+    put(c, c.normal, c.row == 0 ? ParticleType::Wall : ParticleType::Ghost);
+}
+
 bool SurfaceRowBuilder::isHole(Candidate const& c, Real least, Real leastOfWall) const
 {
     if (!placed_.near(c.position, least * spacing_)) return true;

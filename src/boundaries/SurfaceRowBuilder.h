@@ -56,6 +56,8 @@ public:
     void keepBuried(Candidate const& c) { buried_.push_back(c); }
     /// Tries a particle that completes a corner, with 0.7 l0 to others, or goes on past an edge (beyond > 0).
     void addBeyond(Candidate const& c);
+    /// Tries a particle on the bisector of two surfaces that cut through each other.
+    void addInJunction(Candidate const& c);
     /// Tries the buried ones.
     void addBuried();
     /// Looks for holes around the buried ones: along the lines where surfaces cut through each other.

@@ -5,6 +5,7 @@
 
 #include "boundaries/EdgeChains.h"
 #include "boundaries/EvenSpread.h"
+#include "boundaries/JunctionChains.h"
 #include "boundaries/PlanePatches.h"
 #include "boundaries/SurfaceRowBuilder.h"
 #include "core/Errors.h"
@@ -27,7 +28,8 @@ public:
     RowMaker(std::span<TriSurface const> surfaces, std::span<int const> ghostRows, Real spacing)
         : builder(surfaces, ghostRows, spacing),
           deepest_(*std::max_element(ghostRows.begin(), ghostRows.end())),
-          chains_(edgeChains(builder.surfaces()))
+          chains_(edgeChains(builder.surfaces())),
+          junctions_(junctionChains(builder.surfaces()))
     {
         std::vector<int> beyond;
         for (int const rows : ghostRows) beyond.push_back(rows + 1);
@@ -36,6 +38,7 @@ public:
 
     void make()
     {
+        forEachRow([&](int row) { junctions(row); });
         forEachRow([&](int row) { lines(row); });
         forEachRow([&](int row) { bisectors(row, EdgeChain::Kind::Ridge); });
         forEachRow([&](int row) { bisectors(row, EdgeChain::Kind::Valley); });
@@ -75,6 +78,14 @@ private:
                 if (foot.beyond == 0)
                     builder.addInRow({foot.point - builder.depth(row) * patch.normal, patch.normal, patch.face, row, 0, tag(p, row)});
         }
+    }
+
+    /// Where surfaces meet without a common edge, before all others: what comes later keeps its distance.
+    void junctions(int row)
+    {
+        for (EdgeChain const& chain : junctions_)
+            for (auto const& place : chain.places(builder.depth(row), builder.spacing()))
+                if (has(place.face, row)) builder.addInJunction({place.point, place.normal, place.face, row});
     }
 
     void continuedLines(int row)
@@ -185,7 +196,7 @@ private:
     void holesBehindCorners(int row);
 
     int deepest_;
-    std::vector<EdgeChain> chains_;
+    std::vector<EdgeChain> chains_, junctions_;
     PlanePatches plane_;
 };
 

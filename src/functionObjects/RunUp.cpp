@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/Errors.h"
 #include "core/Log.h"
@@ -52,16 +53,19 @@ void RunUp::readWalls(Dictionary const& dict)
 {
     std::vector<int> const patches = readPatches(context_, dict, "patches");
     ParticleSet const& particles = context_.particles;
+    Real const steepest = dict.getInRangeOr("steepest", 90, 1, 180);
+    Real const least = std::cos(steepest * std::numbers::pi / 180) - 1e-6; // of the normal along up
     std::vector<Vector> places;
     for (int i : particles.wall())
     {
         Vector const& n = particles.normal[i];
         bool const own = std::find(patches.begin(), patches.end(), context_.wallOf[i]) != patches.end();
-        if (!own || (up_ - up_.dot(n) * n).norm() < flattest) continue;
+        if (!own || up_.dot(n) < least || (up_ - up_.dot(n) * n).norm() < flattest) continue;
         walls_.push_back(i);
         places.push_back(particles.r[i]);
     }
-    require(!walls_.empty(), dict.where("patches"), "nothing of these surfaces is steep enough for run-up", "slopes of more than 1:50");
+    require(!walls_.empty(), dict.where("patches"), "nothing of these surfaces has a slope for run-up",
+            "slopes of more than 1:50, up to " + shortNumber(steepest) + " degrees");
     grid_.build(places, reach_, particles.lattice().dimensions);
 }
 

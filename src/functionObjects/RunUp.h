@@ -21,6 +21,7 @@ namespace mpsDem {
 /// | key | meaning | unit | default | range |
 /// | patches | names of fixed surfaces | - | none | |
 /// | reach | distance of particles | spacings | 1.5 | 1 to 4 |
+/// | steepest | slope of the walls that count; 90: upright ones too, 180: overhanging ones as well | degrees | 90 | 1 to 180 |
 /// | axis | along which places are told apart | - | (0 0 1) | |
 /// | spacing | width of a place along the axis; 2-D: one place | m | 2 particle spacings | |
 /// | zero, splash, direction | as for interfaceHeight | | | |

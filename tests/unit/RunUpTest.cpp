@@ -57,6 +57,17 @@ TEST(RunUp, IsExactForALevelEdgeOnSlopes)
         }
 }
 
+TEST(RunUp, LeavesOutWallsSteeperThanAsked)
+{
+    FunctionObjectScene scene({3, l0, 1});
+    Slope const slope(45);
+    slope.place(scene, 10, [](Real) { return 1.0; });
+    RunContext const context = scene.context();
+    makeFunctionObject("type runUp; patches (tank); steepest 46;", context)->write({1, 1, 0.1, false});
+    EXPECT_NEAR(scene.table("watch/0/runUp.dat").column("height")[0], std::sqrt(0.5), 1e-9);
+    EXPECT_THROW(makeFunctionObject("type runUp; patches (tank); steepest 44;", context), CaseError);
+}
+
 TEST(RunUp, FollowsACurvedEdgeOverZAndKeepsTheHighest)
 {
     FunctionObjectScene scene({3, l0, 1});
