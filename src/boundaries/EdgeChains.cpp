@@ -147,8 +147,8 @@ std::vector<EdgeChain::Place> EdgeChain::places(Real depth, Real spacing) const
         Real const along = (m + 0.5) * total / parts;
         while (i + 1 < count && passed + length[i] < along) passed += length[i++];
         Real const share = length[i] > 0 ? (along - passed) / length[i] : 0.5;
-        result.push_back(
-            {corners[i] + share * (corners[i + 1] - corners[i]), pieces[i].outwards, pieces[i].depth.normalized(), pieces[i].face, pieces[i].edge});
+        result.push_back({corners[i] + share * (corners[i + 1] - corners[i]), pieces[i].outwards, pieces[i].depth.normalized(),
+                          pieces[i].face, pieces[i].edge});
     }
     return result;
 }
