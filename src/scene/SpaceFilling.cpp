@@ -146,9 +146,9 @@ private:
         Real const toSolid = std::min(toWall, toBody);
         Real const free = share({i, j, k}, toWall, toBody, uniform);
         fluid_.volume += free;
-        if (region < 0) return;
-        ++fluid_.count[static_cast<std::size_t>(region)];
-        bool const clear = toSolid >= (clearance - 1e-9) * cells_.spacing;
+        if (region >= 0) ++fluid_.count[static_cast<std::size_t>(region)];
+        if (region < 0 && toSolid > halfDiagonal * cells_.spacing) return; // cut by the border of the region alone
+        bool const clear = region >= 0 && toSolid >= (clearance - 1e-9) * cells_.spacing;
         if (!isDue(free, clear) || (!clear && !pushOut(r, {i, j, k}))) return;
         carry_ -= 1;
         if (placement_.jitter > 0 && clear)
@@ -159,7 +159,7 @@ private:
             if (toSolid - (moved - r).norm() >= least || obstacles_.distance(moved) >= least) r = moved;
         }
         fluid_.position.push_back(r);
-        fluid_.region.push_back(region);
+        fluid_.region.push_back(lastRegion(regions_, r));
     }
 
     /// Whether a cell gets a particle. Those clear of solids do. Of those at solids as many do as the free shares of cells add up to, one after
