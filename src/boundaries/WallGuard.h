@@ -14,7 +14,7 @@ namespace mpsDem {
 /// rows are uneven, and single particles find a gap between their particles. One that is deeper than `deepest` behind the surface (wall
 /// particles lie at 0.5 l0) is put back to that depth along its way to the surface, and loses its velocity into the wall, as in an impact
 /// without restitution:
-/// \f[ \Delta\mathbf r_i = (-d_i - 0.3 l_0)\,\mathbf n,\quad \Delta\mathbf u_i = \max(0, -\mathbf u_i\cdot\mathbf n)\,\mathbf n \f]
+/// \f[ \Delta\mathbf r_i = (-d_i - 0.1 l_0)\,\mathbf n,\quad \Delta\mathbf u_i = \max(0, -\mathbf u_i\cdot\mathbf n)\,\mathbf n \f]
 /// d signed distance from the surface [m], positive in the fluid, n unit vector of the way back. The exact distance is asked for only where
 /// a particle lies behind the tangent plane of a wall particle near it: a share of a percent of the fluid.
 class WallGuard
