@@ -16,6 +16,7 @@ using namespace mpsDem;
 using test::expectBelow;
 
 constexpr Real spacing = 0.1;
+constexpr Real deepest = WallGuard::deepest * spacing;
 
 /// A tank 1 x 1 x 1 m without a lid, with the fluid particles given.
 class GuardedTank
@@ -52,8 +53,8 @@ TEST(WallGuard, PutsParticlesBackThatSlipThroughTheFloor)
     GuardedTank tank({{0.47, 0.52, 0.05}}, {1, 0, -2});
     tank.r(0).z() = -0.06;
     Real const taken = tank.guard.apply(tank.particles, tank.neighbours);
-    expectBelow("depth behind the floor less 0.3 spacings [m]", tank.r(0).z() + 0.3 * spacing, 1e-12);
-    expectBelow("change along the floor [m]", (tank.r(0) - Vector(0.47, 0.52, -0.03)).norm(), 1e-12);
+    expectBelow("depth behind the floor less that allowed [m]", tank.r(0).z() + deepest, 1e-12);
+    expectBelow("change along the floor [m]", (tank.r(0) - Vector(0.47, 0.52, -deepest)).norm(), 1e-12);
     expectBelow("velocity less that along the floor [m/s]", (tank.u(0) - Vector(1, 0, 0)).norm(), 1e-12);
     expectBelow("energy taken per mass less that of the fall [J/kg]", taken - 2, 1e-12);
     EXPECT_EQ(tank.guard.putBack(), 1);
@@ -62,12 +63,12 @@ TEST(WallGuard, PutsParticlesBackThatSlipThroughTheFloor)
 TEST(WallGuard, LeavesAloneWhatIsNotDeepMovesOutOrIsNearTheRim)
 {
     GuardedTank tank({{0.47, 0.52, 0.05}, {0.05, 0.5, 0.55}, {0.05, 0.2, 0.95}}, {0, 0, -1});
-    tank.r(0).z() = -0.029;               // pressed against the wall's particles
+    tank.r(0).z() = -0.99 * deepest;      // pressed against the wall's particles
     tank.r(1).x() = -0.04;                // through a side wall, on its way along it
     tank.r(2) = Vector(-0.04, 0.2, 1.02); // over the rim
     Real const taken = tank.guard.apply(tank.particles, tank.neighbours);
-    EXPECT_EQ(tank.r(0), Vector(0.47, 0.52, -0.029));
-    expectBelow("side wall: change less that back to 0.3 spacings [m]", (tank.r(1) - Vector(-0.03, 0.5, 0.55)).norm(), 1e-12);
+    EXPECT_EQ(tank.r(0), Vector(0.47, 0.52, -0.99 * deepest));
+    expectBelow("side wall: change less that back to the depth allowed [m]", (tank.r(1) - Vector(-deepest, 0.5, 0.55)).norm(), 1e-12);
     EXPECT_EQ(tank.u(1), Vector(0, 0, -1));
     EXPECT_EQ(tank.r(2), Vector(-0.04, 0.2, 1.02));
     EXPECT_EQ(taken, 0);
