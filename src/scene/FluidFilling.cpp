@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/Errors.h"
+#include "scene/CutCells.h"
 #include "scene/EntryText.h"
 #include "scene/FillingCells.h"
 
@@ -14,6 +15,7 @@ namespace {
 constexpr int samples = 610; ///< In a cell that a surface cuts: a Fibonacci lattice, in line with no wall.
 constexpr int turn = 377;    ///< Fibonacci number before it.
 constexpr Real mostCells = 2e8;
+constexpr Real halfDiagonal = 0.7072; ///< Of a cell, in spacings.
 
 /// Share of a cell of a plane lattice that is in a region and in no solid.
 class CellShare
@@ -100,6 +102,8 @@ LatticePlacement LatticePlacement::read(Dictionary const& setParticlesDict, int 
     if (dict.found("origin")) placement.origin = vector("origin");
     if (dict.found("offset")) placement.offset = vector("offset");
     require(placement.offset.cwiseAbs().maxCoeff() <= 1, dict.where("offset"), "offset is more than a spacing", "fractions from -1 to 1");
+    placement.fillCutCells =
+        dict.getWordOr("cutCells", dimensions == 3 ? "fill" : "leave", {"fill", "leave"}, "ways with cut cells") == "fill";
     placement.jitter = dict.getInRangeOr("jitter", 0, 0, 0.49);
     placement.seed = static_cast<std::uint64_t>(dict.getInRangeOr("seed", 1, 0, 9e15));
     return placement;
@@ -116,25 +120,28 @@ FluidFilling fillRegions(std::vector<std::unique_ptr<Region>> const& regions, La
     FillingCells const cells(regions, placement, lattice);
     CellShare const share(regions, obstacles, spacing);
     Jitter jitter(placement.seed);
+    CutCells cutCells(regions, obstacles, cells);
 
     for (std::int64_t j = cells.low[1]; j < cells.high[1]; ++j)
         for (std::int64_t i = cells.low[0]; i < cells.high[0]; ++i)
         {
             Vector r = cells.middle(i, j);
             Real const toSolid = obstacles.distance(r);
-            fluid.volume += share.of(r, toSolid) * lattice.particleVolume();
+            Real const free = share.of(r, toSolid);
+            fluid.volume += free * lattice.particleVolume();
             int const region = lastRegion(regions, r);
-            if (region < 0) continue;
-            ++fluid.count[static_cast<std::size_t>(region)];
-            if (toSolid < (clearance - 1e-9) * spacing) continue;
-            if (placement.jitter > 0)
+            if (region >= 0) ++fluid.count[static_cast<std::size_t>(region)];
+            if (region < 0 && (!placement.fillCutCells || toSolid > halfDiagonal * spacing)) continue;
+            bool const clear = region >= 0 && toSolid >= (clearance - 1e-9) * spacing;
+            if (placement.fillCutCells ? !cutCells.take(free, clear, {i, j, 0}, r) : !clear) continue;
+            if (placement.jitter > 0 && clear)
             {
                 Real const x = jitter.next(), y = jitter.next();
                 Vector const moved = r + placement.jitter * spacing * Vector(x, y, 0);
                 if (obstacles.distance(moved) >= jitteredClearance * spacing) r = moved;
             }
             fluid.position.push_back(r);
-            fluid.region.push_back(region);
+            fluid.region.push_back(lastRegion(regions, r));
         }
     return fluid;
 }

@@ -4,20 +4,15 @@
 #include <numbers>
 #include <utility>
 
-#include "boundaries/PlacedPoints.h"
 #include "scene/CoarseSolids.h"
+#include "scene/CutCells.h"
 #include "scene/FillingCells.h"
 
 namespace mpsDem {
 
 namespace {
 
-constexpr int samples = 100;          ///< In a cell that a surface cuts.
-constexpr Real leastShare = 0.3;      ///< Free share of a cell that may get a particle.
-constexpr Real mostCarried = 1;       ///< From cell to cell, in particles.
-constexpr Real leastClearance = 0.35; ///< Of a particle that was pushed out of its cell, from solids, in spacings.
-constexpr Real leastDistance = 0.55;  ///< Of it from others, in spacings.
-constexpr int pushes = 3;
+constexpr int samples = 100; ///< In a cell that a surface cuts.
 constexpr Real halfDiagonal = std::numbers::sqrt3 / 2;
 
 /// Points of the unit cube: multiples of powers of the root of x^4 = x + 1, which leave no plane empty.
@@ -114,7 +109,7 @@ public:
           bodies_(obstacles.bodies, cells_, boxes_),
           regionNodes_(cells_),
           jitter_(placement.seed),
-          pushed_(lattice.spacing)
+          cutCells_(regions, obstacles, cells_)
     {
         fluid_.count.assign(regions.size(), 0);
     }
@@ -149,8 +144,7 @@ private:
         if (region >= 0) ++fluid_.count[static_cast<std::size_t>(region)];
         if (region < 0 && toSolid > halfDiagonal * cells_.spacing) return; // cut by the border of the region alone
         bool const clear = region >= 0 && toSolid >= (clearance - 1e-9) * cells_.spacing;
-        if (!isDue(free, clear) || (!clear && !pushOut(r, {i, j, k}))) return;
-        carry_ -= 1;
+        if (placement_.fillCutCells ? !cutCells_.take(free, clear, {i, j, k}, r) : !clear) return;
         if (placement_.jitter > 0 && clear)
         {
             Real const x = jitter_.next(), y = jitter_.next(), z = jitter_.next();
@@ -160,47 +154,6 @@ private:
         }
         fluid_.position.push_back(r);
         fluid_.region.push_back(lastRegion(regions_, r));
-    }
-
-    /// Whether a cell gets a particle. Those clear of solids do. Of those at solids as many do as the free shares of cells add up to, one after
-    /// the other: what a cell has too little or too much is carried on to the next, as in the dithering of a picture (Floyd & Steinberg 1976).
-    [[nodiscard]] bool isDue(Real free, bool clear)
-    {
-        carry_ = std::clamp(carry_ + free, -mostCarried, 1 + mostCarried);
-        return clear || (free >= leastShare && carry_ >= 0.5);
-    }
-
-    /// Moves a place away from solids until it is clear of them, within its region and not too near to others. @return whether that was
-    /// possible.
-    [[nodiscard]] bool pushOut(Vector& r, std::array<std::int64_t, 3> const& cell)
-    {
-        Real const l0 = cells_.spacing, step = 0.05 * l0;
-        Vector moved = r;
-        for (int round = 0; round < pushes; ++round)
-        {
-            Vector slope;
-            for (int d = 0; d < 3; ++d)
-                slope[d] = obstacles_.distance(moved + step * Vector::Unit(d)) - obstacles_.distance(moved - step * Vector::Unit(d));
-            if (slope.norm() < step) return false; // between two solids
-            moved += std::max(Real(0), clearance * l0 - obstacles_.distance(moved)) * slope.normalized();
-        }
-        if (obstacles_.distance(moved) < leastClearance * l0 || !inRegion(moved) || crowded(moved, cell)) return false;
-        pushed_.add(moved, 0);
-        r = moved;
-        return true;
-    }
-
-    /// Whether a place is near to one that was pushed before it, or to the middle of another cell that is clear of solids.
-    [[nodiscard]] bool crowded(Vector const& r, std::array<std::int64_t, 3> const& cell) const
-    {
-        Real const least = leastDistance * cells_.spacing;
-        if (pushed_.near(r, least)) return true;
-        for (int n = 0; n < 27; ++n)
-        {
-            Vector const middle = cells_.middle(cell[0] + n % 3 - 1, cell[1] + n / 3 % 3 - 1, cell[2] + n / 9 - 1);
-            if ((middle - r).norm() < least && obstacles_.distance(middle) >= clearance * cells_.spacing && inRegion(middle)) return true;
-        }
-        return false;
     }
 
     /// Share of a cell that is in a region and in no solid. Solids are taken as the distances at its corners have them, linear in between.
@@ -243,8 +196,7 @@ private:
     Solids walls_, bodies_;
     Nodes regionNodes_; ///< 1 in a region, 0 outside.
     Jitter jitter_;
-    PlacedPoints pushed_;
-    Real carry_ = 0; ///< Free share of the cells passed over less the particles in them.
+    CutCells cutCells_;
     std::array<Vector, samples> const points_ = evenPoints();
     FluidFilling fluid_;
 };

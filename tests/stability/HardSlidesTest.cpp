@@ -105,7 +105,7 @@ TEST(HardSlides, cavityClosesBehind)
     Watch const watch = runSlide(run, plunge, 1.5, [&](Scene const& scene, Step const&) {
         if (scene.bodies()[0]->locked()) open = std::min(open, covered(scene));
     });
-    expectInBand("cavity", run, watch, {.height = 1.4, .energy = 0.02, .momentum = 0.05});
+    expectInBand("cavity", run, watch, {.height = 1.4, .energy = 0.02, .momentum = 0.035});
     expectBelow("cavity: water over the slide when it stops, share", open, 0.05);
     expectBetween("cavity: water over the slide at the end, share", covered(run.scene()), 0.9, 1.1);
 }
@@ -128,7 +128,7 @@ TEST(HardSlides, DISABLED_cavityClosesBehindWithoutGainOfEnergy)
     expectBelow("cavity, seven heights: mean rise of energy over that of the start", rise.mean(), 0.005);
 }
 
-// Measured 0.047 in one run, while the hole closes.
+// Measured 0.024 in one run, while the hole closes (0.047 when wall points under the sharp tip of the slide were taken for wet).
 TEST(HardSlides, DISABLED_cavityClosesBehindKeepingMomentum)
 {
     RunCase run(0.04);
