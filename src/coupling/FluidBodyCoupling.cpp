@@ -19,6 +19,15 @@ constexpr std::int64_t checkInterval = 50;
 /// Warnings of added mass, over all bodies.
 constexpr int mostWarnings = 10;
 
+void readContactFace(Dictionary const& dict, Lattice const& lattice, PressureIntegrationControls& controls)
+{
+    using Face = PressureIntegrationControls::ContactFace;
+    std::string const face = dict.getWordOr("contactFace", "dry", {"dry", "pore", "vented"}, "contact faces");
+    require(lattice.dimensions == 2 || face != "pore", dict.where("contactFace"), "contactFace pore in 3-D", "dry, vented, or a 2-D case");
+    controls.contactFace = face == "pore" ? Face::Pore : face == "vented" ? Face::Vented : Face::Dry;
+    controls.faceReach = dict.getInRangeOr("faceReach", 1.5, 0.5, 20) * lattice.spacing;
+}
+
 } // namespace
 
 FluidBodyCoupling::Controls FluidBodyCoupling::readControls(Dictionary const& dict, Lattice const& lattice, bool positiveOnly)
@@ -32,9 +41,7 @@ FluidBodyCoupling::Controls FluidBodyCoupling::readControls(Dictionary const& di
     controls.integration.wetRadius = 1.5 * lattice.spacing;
     controls.integration.radius = 2.1 * lattice.spacing;
     controls.integration.positiveOnly = positiveOnly;
-    controls.integration.porePressure = dict.getWordOr("contactFace", "dry", {"dry", "pore"}, "contact faces") == "pore";
-    require(lattice.dimensions == 2 || !controls.integration.porePressure, dict.where("contactFace"), "contactFace pore in 3-D",
-            "dry, or a 2-D case");
+    readContactFace(dict, lattice, controls.integration);
     return controls;
 }
 

@@ -37,7 +37,8 @@ using PressureResponse = std::function<void(Field<Vector> const& acceleration, F
 /// | key | meaning | unit | default | range |
 /// | type | weak, strong, lagged, auto | - | auto | - |
 /// | addedMassInterval | steps (lagged) | - | 10 | 1..1000 |
-/// | contactFace | dry: no pressure where two solids touch (paper); pore: that of the wet rim | - | dry | - |
+/// | contactFace | dry: no pressure where two solids touch (paper); pore: that of the wet rim; vented: that of the body's other side | - | dry | - |
+/// | faceReach | pore, vented: dry points with another solid within this distance in front lie on a contact face | spacing | 1.5 | 0.5..20 |
 class FluidBodyCoupling
 {
 public:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "parallel/Reduce.h"
 #include "particles/Kernel.h"
@@ -15,8 +16,6 @@ namespace {
 constexpr Real inFront = 0.1;
 /// Wall particles count where their normal agrees with that of the point to this cosine.
 constexpr Real likeNormal = 0.5;
-/// A dry point with another solid within this distance in front, in spacings, lies on a contact face.
-constexpr Real contactReach = 1.5;
 /// A wall particle of another solid that faces a point within this distance covers it, in spacings, unless fluid is between: this much
 /// nearer to the surface than that wall particle.
 constexpr Real coverReach = 1.5;
@@ -127,16 +126,16 @@ void WettedSurface::evaluatePoint(ParticleSet const& particles, CellGrid const& 
     if (controls.positiveOnly) pressure_[s] = std::max(pressure_[s], Real(0));
 }
 
-bool WettedSurface::facesSolid(ParticleSet const& particles, CellGrid const& grid, std::size_t s) const
+bool WettedSurface::facesSolid(ParticleSet const& particles, CellGrid const& grid, std::size_t s, Real reach) const
 {
     bool found = false;
-    grid.forEachWithin(position_[s], contactReach * lattice_.spacing, [&](int j, Vector const& rsj, Real) {
+    grid.forEachWithin(position_[s], reach, [&](int j, Vector const& rsj, Real) {
         found = found || (particles.type[j] == ParticleType::Wall && particles.body[j] != body_ && rsj.dot(normal_[s]) > 0);
     });
     return found;
 }
 
-void WettedSurface::fillContactFaces(ParticleSet const& particles, CellGrid const& grid)
+void WettedSurface::fillFromRims(ParticleSet const& particles, CellGrid const& grid, Real reach)
 {
     // Runs of dry points between two wet ones, along the outline: pressure linear in arc length from rim to rim.
     std::size_t const count = position_.size();
@@ -152,11 +151,40 @@ void WettedSurface::fillContactFaces(ParticleSet const& particles, CellGrid cons
         for (std::size_t k = 1; k <= dry; ++k)
         {
             std::size_t const q = (rim + k) % count;
-            if (!facesSolid(particles, grid, q)) continue;
+            if (!facesSolid(particles, grid, q, reach)) continue;
             Real const share = static_cast<Real>(k) / static_cast<Real>(dry + 1);
             pressure_[q] = (1 - share) * pressure_[rim] + share * pressure_[s];
         }
         rim = s;
+    }
+}
+
+void WettedSurface::findOtherSides()
+{
+    std::size_t const count = position_.size();
+    otherSide_.assign(count, -1);
+    for (std::size_t s = 0; s < count; ++s)
+    {
+        Real nearest = std::numeric_limits<Real>::max();
+        for (std::size_t q = 0; q < count; ++q)
+        {
+            Vector const way = position_[q] - position_[s];
+            Real const off = way.dot(normal_[s]), aside = (way - off * normal_[s]).norm();
+            if (off >= 0 || normal_[q].dot(normal_[s]) >= 0 || aside >= nearest) continue;
+            nearest = aside;
+            otherSide_[s] = static_cast<int>(q);
+        }
+    }
+}
+
+void WettedSurface::fillFromOtherSide(ParticleSet const& particles, CellGrid const& grid, Real reach, Vector const& weight)
+{
+    if (otherSide_.size() != position_.size()) findOtherSides();
+    for (std::size_t s = 0; s < position_.size(); ++s)
+    {
+        int const q = otherSide_[s];
+        if (wet_[s] || q < 0 || !wet_[static_cast<std::size_t>(q)] || !facesSolid(particles, grid, s, reach)) continue;
+        pressure_[s] = pressure_[static_cast<std::size_t>(q)] + weight.dot(position_[s] - position_[static_cast<std::size_t>(q)]);
     }
 }
 

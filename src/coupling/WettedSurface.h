@@ -13,10 +13,18 @@ namespace mpsDem {
 /// How the hydrodynamic pressure on a surface is found from the particles around it.
 struct PressureIntegrationControls
 {
-    Real wetRadius;            ///< A point is wet if fluid lies within this distance in front of it [m].
-    Real radius;               ///< Shepard radius [m].
-    bool positiveOnly = true;  ///< Clamp at zero.
-    bool porePressure = false; ///< Contact faces carry the pressure of their wet rim instead of none.
+    Real wetRadius;           ///< A point is wet if fluid lies within this distance in front of it [m].
+    Real radius;              ///< Shepard radius [m].
+    bool positiveOnly = true; ///< Clamp at zero.
+    /// What a contact face carries: nothing (paper); the pressure of its wet rim; that of the body's other side with the weight of water between.
+    enum class ContactFace
+    {
+        Dry,
+        Pore,
+        Vented
+    };
+    ContactFace contactFace = ContactFace::Dry;
+    Real faceReach = 0; ///< A dry point with another solid within this distance in front lies on a contact face [m].
 };
 
 /// Quadrature points on the surface of a solid; eq 15 and eq 16 over them.
@@ -49,7 +57,9 @@ public:
             Real const slope = density * (gravity - acceleration(position_[s])).dot(normal_[s]);
             evaluatePoint(particles, grid, pressure, slope, controls, s);
         }
-        if (controls.porePressure) fillContactFaces(particles, grid);
+        if (controls.contactFace == PressureIntegrationControls::ContactFace::Pore) fillFromRims(particles, grid, controls.faceReach);
+        if (controls.contactFace == PressureIntegrationControls::ContactFace::Vented)
+            fillFromOtherSide(particles, grid, controls.faceReach, density * gravity);
     }
 
     /// No pressure where another solid lies on the surface and no fluid between: the water beyond its thin edge is within reach of such
@@ -70,8 +80,13 @@ private:
     void addTriangles(TriSurface const& triangles);
     void evaluatePoint(ParticleSet const& particles, CellGrid const& grid, Field<Real> const& pressure, Real slope,
                        PressureIntegrationControls const& controls, std::size_t s);
-    void fillContactFaces(ParticleSet const& particles, CellGrid const& grid);
-    [[nodiscard]] bool facesSolid(ParticleSet const& particles, CellGrid const& grid, std::size_t s) const;
+    void fillFromRims(ParticleSet const& particles, CellGrid const& grid, Real reach);
+    /// \f[ p_s = p_q + \rho\,\mathbf g\cdot(\mathbf r_s - \mathbf r_q) \f] with q the point straight behind s on the other side, where it is wet:
+    /// water that comes and goes beside the body, out of the plane, has the same pressure below it as above.
+    /// @param weight  rho g [N/m3]; zero for the response to an acceleration.
+    void fillFromOtherSide(ParticleSet const& particles, CellGrid const& grid, Real reach, Vector const& weight);
+    void findOtherSides();
+    [[nodiscard]] bool facesSolid(ParticleSet const& particles, CellGrid const& grid, std::size_t s, Real reach) const;
 
     Lattice lattice_;
     int body_;
@@ -79,6 +94,7 @@ private:
     Field<Vector> localPosition_, localNormal_, position_, normal_;
     Field<Real> area_, pressure_;
     Field<std::uint8_t> wet_;
+    Field<int> otherSide_; ///< Of each point, -1 for none; empty before it is asked for.
 };
 
 } // namespace mpsDem

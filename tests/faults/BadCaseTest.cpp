@@ -77,6 +77,7 @@ std::vector<Fault> const faults{
     {solution, p, p + " toleranc 1;", 2, "toleranc"},
     {solution, "type strong;", "type stron;", 3, "did you mean strong?"},
     {solution, "contactFace dry;", "contactFace wet;", 3, "wet"},
+    {solution, "contactFace dry;", "contactFace vented; faceReach 0;", 3, "faceReach"},
     {contact, "e 0.2;", "e 0.2; law hertz;", 3, "hertz"},
     {contact, "e 0.2;", "e 0.2; restitution 0.2;", 3, "restitution"},
     {contact, "e 0.2;", "e 0.2; stiffness soft;", 3, "soft"},

@@ -131,4 +131,28 @@ TEST(DynamicLabelling, matters)
     expectBelow("DBL (e): RMS with DBL over that without", waterWith.fluid.mean() / waterWithout.fluid.mean(), 1.2);
 }
 
+// Contact faces: the vertical force of still water on a block held on the floor. Dry, water presses on its upper sides only;
+// vented, the force is the buoyancy, as it is where water gets below.
+TEST(ContactFace, ventedCarriesBuoyancy)
+{
+    for (std::string const face : {"dry", "vented"})
+    {
+        RunCase run(spacing);
+        run.write("system/setParticlesDict", "geometry { tank { type polyline; points ((0 1.2 0) (0 0 0) (2 0 0) (2 1.2 0)); } }\n"
+                                             "regions ( boxToParticle { box (0 0 0) (2 0.8 0); } );\nhydrostatic { surface 0.8; }");
+        run.write("constant/rigidBodyProperties",
+                  "bodies { slide { shape { type polygon; points ((0.6 0 0) (1.4 0 0) (1.2 0.2 0) (0.8 0.2 0)); }\n"
+                  "density 2000; releaseTime 1000; } }");
+        run.write("system/mpsSolution", "coupling { type strong; contactFace " + face + "; }");
+        run.fixedSteps(0.6, 2e-3).make();
+        Series force; // share of the buoyancy
+        run.run([&](Scene const& scene, Step const& step) {
+            if (step.time > 0.3) force.add(scene.bodies()[0]->fluid.force.y() / (1000 * 9.81 * 0.12));
+        });
+        // Dry: -(0.6 0.4 + 0.7 0.4) / 0.12: depth over the top, mean depth over the two sides, each times its width.
+        Real const expected = face == "dry" ? -0.52 / 0.12 : 1;
+        expectBetween("contact face " + face + ": vertical force / buoyancy", force.mean(), expected - 0.1, expected + 0.1);
+    }
+}
+
 } // namespace mpsDem::test
