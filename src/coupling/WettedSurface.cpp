@@ -161,16 +161,16 @@ void WettedSurface::fillFromRims(ParticleSet const& particles, CellGrid const& g
 
 void WettedSurface::findOtherSides()
 {
-    std::size_t const count = position_.size();
+    std::size_t const count = localPosition_.size();
     otherSide_.assign(count, -1);
     for (std::size_t s = 0; s < count; ++s)
     {
         Real nearest = std::numeric_limits<Real>::max();
         for (std::size_t q = 0; q < count; ++q)
         {
-            Vector const way = position_[q] - position_[s];
-            Real const off = way.dot(normal_[s]), aside = (way - off * normal_[s]).norm();
-            if (off >= 0 || normal_[q].dot(normal_[s]) >= 0 || aside >= nearest) continue;
+            Vector const way = localPosition_[q] - localPosition_[s];
+            Real const off = way.dot(localNormal_[s]), aside = (way - off * localNormal_[s]).norm();
+            if (off >= 0 || localNormal_[q].dot(localNormal_[s]) >= 0 || aside >= nearest) continue;
             nearest = aside;
             otherSide_[s] = static_cast<int>(q);
         }
