@@ -23,9 +23,8 @@ void readContactFace(Dictionary const& dict, Lattice const& lattice, PressureInt
 {
     using Face = PressureIntegrationControls::ContactFace;
     std::string const face = dict.getWordOr("contactFace", "dry", {"dry", "pore", "vented"}, "contact faces");
-    require(lattice.dimensions == 2 || face != "pore", dict.where("contactFace"), "contactFace pore in 3-D", "dry, vented, or a 2-D case");
     controls.contactFace = face == "pore" ? Face::Pore : face == "vented" ? Face::Vented : Face::Dry;
-    controls.faceReach = dict.getInRangeOr("faceReach", 1.5, 0.5, 20) * lattice.spacing;
+    controls.faceReach = dict.getInRangeOr("faceReach", face == "pore" ? 2.1 : 1.5, 0.5, 20) * lattice.spacing;
 }
 
 } // namespace

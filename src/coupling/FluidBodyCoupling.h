@@ -38,7 +38,9 @@ using PressureResponse = std::function<void(Field<Vector> const& acceleration, F
 /// | type | weak, strong, lagged, auto | - | auto | - |
 /// | addedMassInterval | steps (lagged) | - | 10 | 1..1000 |
 /// | contactFace | dry: no pressure where two solids touch (paper); pore: that of the wet rim; vented: that of the body's other side | - | dry | - |
-/// | faceReach | pore, vented: dry points with another solid within this distance in front lie on a contact face | spacing | 1.5 | 0.5..20 |
+/// | faceReach | pore, vented: dry points that another solid faces within this distance in front lie on a contact face | spacing | 2.1, 1.5 | 0.5..20 |
+/// With pore, wall particles of two solids that part are 2 spacings apart before fluid finds room between them: until then there must be
+/// pressure, or a light body that lies on a floor never leaves it.
 class FluidBodyCoupling
 {
 public:

@@ -16,6 +16,8 @@ namespace {
 constexpr Real inFront = 0.1;
 /// Wall particles count where their normal agrees with that of the point to this cosine.
 constexpr Real likeNormal = 0.5;
+/// Points of a contact face in 3-D that are nearer than this are connected, in spacings.
+constexpr Real poreReach = 2.1;
 /// A wall particle of another solid that faces a point within this distance covers it, in spacings, unless fluid is between: this much
 /// nearer to the surface than that wall particle.
 constexpr Real coverReach = 1.5;
@@ -130,12 +132,22 @@ bool WettedSurface::facesSolid(ParticleSet const& particles, CellGrid const& gri
 {
     bool found = false;
     grid.forEachWithin(position_[s], reach, [&](int j, Vector const& rsj, Real) {
-        found = found || (particles.type[j] == ParticleType::Wall && particles.body[j] != body_ && rsj.dot(normal_[s]) > 0);
+        found = found || (particles.type[j] == ParticleType::Wall && particles.body[j] != body_ && rsj.dot(normal_[s]) > 0 &&
+                          particles.normal[j].dot(normal_[s]) <= -likeNormal);
     });
     return found;
 }
 
 void WettedSurface::fillFromRims(ParticleSet const& particles, CellGrid const& grid, Real reach)
+{
+    if (lattice_.dimensions == 2) return fillBetweenRims(particles, grid, reach);
+    if (!pores_) pores_.emplace(localPosition_, localNormal_, area_, poreReach * lattice_.spacing);
+    Field<std::uint8_t> face(position_.size());
+    for (std::size_t s = 0; s < face.size(); ++s) face[s] = !wet_[s] && facesSolid(particles, grid, s, reach);
+    pores_->fill(face, pressure_);
+}
+
+void WettedSurface::fillBetweenRims(ParticleSet const& particles, CellGrid const& grid, Real reach)
 {
     // Runs of dry points between two wet ones, along the outline: pressure linear in arc length from rim to rim.
     std::size_t const count = position_.size();

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
 #include "bodies/Load.h"
 #include "core/Surface.h"
+#include "coupling/PorePressure.h"
 #include "particles/CellGrid.h"
 #include "particles/ParticleSet.h"
 
@@ -81,6 +83,7 @@ private:
     void evaluatePoint(ParticleSet const& particles, CellGrid const& grid, Field<Real> const& pressure, Real slope,
                        PressureIntegrationControls const& controls, std::size_t s);
     void fillFromRims(ParticleSet const& particles, CellGrid const& grid, Real reach);
+    void fillBetweenRims(ParticleSet const& particles, CellGrid const& grid, Real reach);
     /// \f[ p_s = p_q + \rho\,\mathbf g\cdot(\mathbf r_s - \mathbf r_q) \f] with q the point straight behind s on the other side, where it is wet:
     /// water that comes and goes beside the body, out of the plane, has the same pressure below it as above.
     /// @param weight  rho g [N/m3]; zero for the response to an acceleration.
@@ -94,7 +97,8 @@ private:
     Field<Vector> localPosition_, localNormal_, position_, normal_;
     Field<Real> area_, pressure_;
     Field<std::uint8_t> wet_;
-    Field<int> otherSide_; ///< Of each point, -1 for none; empty before it is asked for.
+    Field<int> otherSide_;              ///< Of each point, -1 for none; empty before it is asked for.
+    std::optional<PorePressure> pores_; ///< 3-D; made when it is first needed.
 };
 
 } // namespace mpsDem
