@@ -49,7 +49,7 @@ Curve fallIn3D(Real spacing)
 } // namespace
 
 // Measured: -0.099; -0.084 with steps cut at other times (output every 0.05 s): on the edge, runs scatter by 0.015.
-TEST(FallingSolid, fallsAsMeasuredIn2D)
+TEST(FallingSolidGate, fallsAsMeasuredIn2D)
 {
     expectBelow("falling solid, 2-D, 8 spacings: difference / travel", experiment().difference(fallIn2D(0.0025)), bound);
 }
