@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <vector>
 
 #include "core/Errors.h"
 #include "io/RasterFile.h"
@@ -12,13 +13,29 @@ namespace mpsDem {
 
 namespace {
 
+/// Names of the files of a folder in alphabetical order, for a message.
+std::string filesIn(std::filesystem::path const& folder)
+{
+    std::vector<std::string> names;
+    std::error_code error;
+    for (auto const& entry : std::filesystem::directory_iterator(folder, error)) names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    std::string text;
+    for (std::string const& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text.empty() ? "no files" : text;
+}
+
 std::filesystem::path pathOf(Dictionary const& dict, std::filesystem::path const& caseFolder)
 {
     std::filesystem::path const file = dict.get<std::string>("file");
     bool const leaves = file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end();
     require(!file.empty() && !leaves, dict.where("file"), "file \"" + file.string() + "\" lies outside of the case",
             "a path beneath constant/triSurface");
-    return caseFolder / "constant" / "triSurface" / file;
+    std::filesystem::path const folder = caseFolder / "constant" / "triSurface";
+    std::error_code error;
+    require(std::filesystem::exists(folder / file, error), dict.where("file"),
+            "file \"" + file.string() + "\" is not in constant/triSurface", "there are: " + filesIn(folder));
+    return folder / file;
 }
 
 RasterOptions readRasterOptions(Dictionary const& dict)

@@ -122,7 +122,11 @@ void MapPlot::draw(PostCase const& postCase) const
         if ((i + 1) % grid.perRow == 0) rows += '\n';
         if (std::isfinite(grid.value[i])) values.push_back(scale_ * grid.value[i]);
     }
-    require(!values.empty(), Location{source.string(), 0, {}}, "the column " + value_ + " has no value", "another column, or a later time");
+    if (values.empty()) // a wave that has come nowhere yet is no error
+    {
+        warn(name() + " is left out: the column " + value_ + " of " + postCase.shown(source) + " has no value; a later time may have");
+        return;
+    }
     ColourBar bar;
     bar.palette = palette_;
     bar.label = label_;
