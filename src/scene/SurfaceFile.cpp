@@ -31,11 +31,14 @@ std::filesystem::path pathOf(Dictionary const& dict, std::filesystem::path const
     bool const leaves = file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end();
     require(!file.empty() && !leaves, dict.where("file"), "file \"" + file.string() + "\" lies outside of the case",
             "a path beneath constant/triSurface");
-    std::filesystem::path const folder = caseFolder / "constant" / "triSurface";
+    return caseFolder / "constant" / "triSurface" / file;
+}
+
+void requirePresent(Dictionary const& dict, std::filesystem::path const& file)
+{
     std::error_code error;
-    require(std::filesystem::exists(folder / file, error), dict.where("file"),
-            "file \"" + file.string() + "\" is not in constant/triSurface", "there are: " + filesIn(folder));
-    return folder / file;
+    require(std::filesystem::exists(file, error), dict.where("file"),
+            "file \"" + dict.get<std::string>("file") + "\" is not in constant/triSurface", "there are: " + filesIn(file.parent_path()));
 }
 
 RasterOptions readRasterOptions(Dictionary const& dict)
@@ -65,6 +68,8 @@ TriSurface readSurfaceFile(Dictionary const& dict, std::filesystem::path const& 
     std::string const ending = endingOf(file);
     require(ending == ".stl" || ending == ".asc", dict.where("file"), "file \"" + file.filename().string() + "\" of an unknown kind",
             "a name that ends in .stl (triangles) or .asc (ESRI grid of heights)");
+    require(ending == ".stl" || skin == Skin::Open, dict.where("file"), "a raster of heights is no closed surface", "an STL file");
+    requirePresent(dict, file);
     Real const scale = dict.getInRangeOr("scale", 1, 1e-9, 1e9);
     if (ending == ".stl")
     {
@@ -72,7 +77,6 @@ TriSurface readSurfaceFile(Dictionary const& dict, std::filesystem::path const& 
         if (!dict.found("translate")) return surface;
         return surface.moved(Tensor::Identity(), readPoint(dict, "translate", 3));
     }
-    require(skin == Skin::Open, dict.where("file"), "a raster of heights is no closed surface", "an STL file");
     RasterOptions options = readRasterOptions(dict);
     options.scale = scale;
     return readRaster(file, name, options);

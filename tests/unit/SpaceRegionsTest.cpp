@@ -323,7 +323,8 @@ TEST_F(SpaceRegions, WrongRegionsAreRefusedByName)
     EXPECT_NE(messageOf("rotatedBoxToParticle { origin (0 0 0); i (1 0 0); j (0 1 0); }").find("k"), std::string::npos);
     EXPECT_NE(messageOf("cylinderToParticle { p1 (0 0 0); p2 (0 0 0); radius 1; }").find("without length"), std::string::npos);
     EXPECT_NE(messageOf("surfaceToParticle { file \"../../etc/passwd\"; }").find("outside of the case"), std::string::npos);
-    EXPECT_NE(messageOf("surfaceToParticle { file \"no.stl\"; }", folder_.path()).find("No such file"), std::string::npos);
+    EXPECT_NE(messageOf("surfaceToParticle { file \"no.stl\"; }", folder_.path()).find("file \"no.stl\" is not in constant/triSurface"),
+              std::string::npos);
     writeStl(folder_ / "constant/triSurface/open.stl", TriSurface::box("open", {0, 0, 0}, {1, 1, 1}, {true}));
     EXPECT_NE(messageOf("surfaceToParticle { file \"open.stl\"; }", folder_.path()).find("open: 4 edges"), std::string::npos);
     EXPECT_NE(messageOf("surfaceToParticle { file \"lake.obj\"; }").find("unknown kind"), std::string::npos);
