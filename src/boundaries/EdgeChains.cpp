@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "boundaries/PlanePatches.h"
@@ -13,8 +12,6 @@ namespace mpsDem {
 namespace {
 
 using Kind = EdgeChain::Kind;
-
-Real const straightCosine = std::cos(20.0 * std::numbers::pi / 180);
 
 /// Links edges of one kind that follow each other.
 class ChainBuilder
@@ -107,8 +104,7 @@ private:
             result.outwards = (b - a).cross(n).normalized();
         else
         {
-            Vector const m = surfaces_.face(e.right).normal;
-            result.depth = (n + m) / std::max(1 + n.dot(m), 1e-3);
+            result.depth = bisectorOf(n, surfaces_.face(e.right).normal);
         }
         return result;
     }

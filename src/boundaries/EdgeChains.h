@@ -1,11 +1,23 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "boundaries/JoinedSurfaces.h"
 #include "core/Types.h"
 
 namespace mpsDem {
+
+/// Edges go on as one chain where they bend by less than 20 degrees.
+inline Real const straightCosine = std::cos(20.0 * std::numbers::pi / 180);
+
+/// Rows of a corner exist where the bisector is no longer: fluid angles above 60 degrees.
+inline constexpr Real longestBisector = 2.0;
+
+/// Of two faces with the unit normals n and m: (n + m) / (1 + n . m), which is as far from both planes as a unit vector along its normal.
+inline Vector bisectorOf(Vector const& n, Vector const& m) { return (n + m) / std::max(1 + n.dot(m), Real(1e-3)); }
 
 /// Edges in a row that bend by less than 20 degrees from one to the next: a valley or a ridge of the solid, or a rim.
 struct EdgeChain

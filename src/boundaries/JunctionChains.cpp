@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 
 #include "boundaries/TriangleBoxes.h"
@@ -14,9 +13,6 @@ namespace mpsDem {
 namespace {
 
 using Piece = EdgeChain::Piece;
-
-constexpr Real longestBisector = 2.0; ///< Rows of a corner exist where the bisector is no longer (fluid angle above 60 degrees).
-Real const straightCosine = std::cos(20.0 * std::numbers::pi / 180);
 
 /// Looks for the pieces: where two faces of different components cross, and rims that lie on another component.
 class PieceFinder
@@ -108,7 +104,7 @@ private:
     {
         Vector const n = surfaces_.face(f).normal, m = surfaces_.face(g).normal;
         if (n.dot(m) > straightCosine || (b - a).norm() < surfaces_.tolerance()) return;
-        Vector const depth = (n + m) / std::max(1 + n.dot(m), Real(1e-3));
+        Vector const depth = bisectorOf(n, m);
         if (depth.norm() <= longestBisector) pieces_.push_back({a, b, depth, Vector::Zero(), f});
     }
 

@@ -14,12 +14,11 @@ namespace mpsDem {
 
 namespace {
 
-constexpr Real longestBisector = 2.0; ///< Corner particles exist where the bisector is no longer (fluid angle above 60 degrees).
-constexpr Real holeStep = 0.25;       ///< Between places that are looked at for holes, in spacings.
-constexpr Real leastInRow = 0.88;     ///< A place of a row this far from all particles is a hole, in spacings.
-constexpr Real leastInFan = 0.95;     ///< The same behind an edge or a corner.
-constexpr Real leastOfWalls = 0.88;   ///< The same from wall particles for a place of the wall row.
-constexpr int holeReach = 7;          ///< Places looked at from where a row ends at an edge.
+constexpr Real holeStep = 0.25;     ///< Between places that are looked at for holes, in spacings.
+constexpr Real leastInRow = 0.88;   ///< A place of a row this far from all particles is a hole, in spacings.
+constexpr Real leastInFan = 0.95;   ///< The same behind an edge or a corner.
+constexpr Real leastOfWalls = 0.88; ///< The same from wall particles for a place of the wall row.
+constexpr int holeReach = 7;        ///< Places looked at from where a row ends at an edge.
 
 /// The steps by which the rows of a set of surfaces are made.
 class RowMaker
@@ -112,7 +111,7 @@ private:
             for (auto const& place : chain.places(builder.depth(row), builder.spacing()))
             {
                 auto const& e = edge(place.edge);
-                if (!has(e.left, row) || bisector(e).norm() > longestBisector) continue;
+                if (!has(e.left, row) || bisectorOf(normal(e.left), normal(e.right)).norm() > longestBisector) continue;
                 SurfaceRowBuilder::Candidate const c{place.point, place.normal, e.left, row};
                 if (kind == Kind::Valley)
                     builder.addBeyond(c);
@@ -120,11 +119,6 @@ private:
                     builder.addInHole(c, leastInRow, leastOfWalls);
             }
         }
-    }
-
-    [[nodiscard]] Vector bisector(JoinedSurfaces::Edge const& e) const
-    {
-        return (normal(e.left) + normal(e.right)) / std::max(1 + normal(e.left).dot(normal(e.right)), 1e-3);
     }
 
     /// Behind the rims of faces without lines.

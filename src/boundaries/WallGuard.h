@@ -16,7 +16,7 @@ namespace mpsDem {
 /// without restitution:
 /// \f[ \Delta\mathbf r_i = (-d_i - 0.1 l_0)\,\mathbf n,\quad \Delta\mathbf u_i = \max(0, -\mathbf u_i\cdot\mathbf n)\,\mathbf n \f]
 /// d signed distance from the surface [m], positive in the fluid, n unit vector of the way back. The exact distance is asked for only where
-/// a particle lies behind the tangent plane of a wall particle near it: a share of a percent of the fluid.
+/// a particle lies behind the tangent plane of a wall particle near it.
 class WallGuard
 {
 public:

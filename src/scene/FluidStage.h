@@ -63,7 +63,7 @@ public:
     /// Particles taken out because they left the domain or went through a wall, since the start; of all ranks.
     [[nodiscard]] std::int64_t escaped() const;
 
-    /// Times that a particle was put back behind a wall since the start of the program, of all ranks (3-D).
+    /// Times that a particle was put back from behind a wall since the start of the program, of all ranks (3-D).
     [[nodiscard]] std::int64_t putBack() const;
 
     /// Called where a state is written: forgets what a restarted run would not have.

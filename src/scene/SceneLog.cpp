@@ -75,7 +75,7 @@ void Scene::logEnd(Cost const& loop) const
         info() << "Particles: " << sumOverRanks(particles_.fluid().size()) << " fluid, " << sumOverRanks(particles_.boundary().size())
                << " boundary; " << fluid_->escaped() << " left the domain; pressure displacements limited " << fluid_->fluid().limited()
                << " times";
-        if (particles_.lattice().dimensions == 3) info() << "; put back behind walls " << fluid_->putBack() << " times";
+        if (particles_.lattice().dimensions == 3) info() << "; put back from behind walls " << fluid_->putBack() << " times";
         info() << "\n\n";
     }
     guard_->report(info());

@@ -32,6 +32,19 @@ std::unique_ptr<SolidScene> falling(int count)
     return scene;
 }
 
+/// No block has sunk in, and none is faster than a bound [m/s].
+void expectOnTheFloor(SolidScene const& scene, std::string const& after, Real bound)
+{
+    Real lowest = 1, fastest = 0;
+    for (RigidBody const* block : scene.pointers)
+    {
+        lowest = std::min(lowest, block->centre().z());
+        fastest = std::max(fastest, block->velocity().norm());
+    }
+    expectBetween("fifty blocks, lowest centre / half side", lowest / (side / 2), 0.98, 1.8);
+    expectBelow("fifty blocks, fastest after " + after, fastest, bound);
+}
+
 } // namespace
 
 TEST(SolidHeap, costGrowsWithContacts)
@@ -88,14 +101,7 @@ TEST(SolidHeap, fiftyBlocksFall)
     expectBelow("fifty blocks, largest gain of energy, relative", gained, 1e-3);
     expectBelow("fifty blocks, energy budget, relative", (scene->energy() - start) / scale, 1e-2);
     expectBelow("fifty blocks, largest overlap / spacing", overlap, 0.1);
-    Real lowest = 1, fastest = 0;
-    for (RigidBody const* block : scene->pointers)
-    {
-        lowest = std::min(lowest, block->centre().z());
-        fastest = std::max(fastest, block->velocity().norm());
-    }
-    expectBetween("fifty blocks, lowest centre / half side", lowest / (side / 2), 0.98, 1.8);
-    expectBelow("fifty blocks, fastest after 0.2 s [m/s]; 2.5 before", fastest, 1);
+    expectOnTheFloor(*scene, "0.2 s [m/s]; 2.5 before", 1);
 }
 
 // Fifty blocks fall, and lie still on one another in the end, without energy from nowhere.
@@ -113,14 +119,7 @@ TEST(SolidHeapGate, fiftyBlocksComeToRest)
     }
     expectBelow("fifty blocks, largest gain of energy / (weight x mean height)", gained, 1e-2);
     expectBelow("fifty blocks, largest overlap / spacing", overlap, 0.2);
-    Real lowest = 1, fastest = 0;
-    for (RigidBody const* block : scene->pointers)
-    {
-        lowest = std::min(lowest, block->centre().z());
-        fastest = std::max(fastest, block->velocity().norm());
-    }
-    expectBetween("fifty blocks, lowest centre / half side", lowest / (side / 2), 0.98, 1.8);
-    expectBelow("fifty blocks, fastest after 1.6 s [m/s]", fastest, 0.3);
+    expectOnTheFloor(*scene, "1.6 s [m/s]", 0.3);
 }
 
 // Saved in the fall, loaded into a new scene in which other pairs exist, and undone and repeated: all go on bit by bit.
