@@ -8,7 +8,7 @@ std::unique_ptr<Collision> Collision::read(Dictionary const& dict, SchemeSet set
 {
     if (dict.getWordOr("type", "pairwise", {"pairwise", "none"}, "collision schemes") == "none")
     {
-        for (char const* key : {"distance", "surfaceDistance", "restitution"}) dict.ignore(key);
+        for (char const* key : {"distance", "surfaceDistance", "restitution", "walls"}) dict.ignore(key);
         return nullptr;
     }
     return std::unique_ptr<Collision>(new Collision(dict, set, lattice, density, ledger));
@@ -19,31 +19,42 @@ Collision::Collision(Dictionary const& dict, SchemeSet set, Lattice const& latti
       surfaceDistance_(lattice.spacing * dict.getInRangeOr("surfaceDistance", set == SchemeSet::Paper ? 0.5 : 0.8, 0, 1)),
       restitution_(dict.getInRangeOr("restitution", 0.2, 0, 1)),
       particleMass_(density * lattice.particleVolume()),
+      alongNormal_(dict.getWordOr("walls", "centres", {"centres", "normal"}, "directions of collisions with walls") == "normal"),
       dissipated_(ledger.energy("energy/collision"))
 {}
+
+Vector Collision::changeOf(ParticleSet const& particles, NeighbourList const& neighbours, int i) const
+{
+    Real const widest = std::max(distance_, surfaceDistance_);
+    auto const atSurface = [&](int k) { return particles.surface[k] != SurfaceLabel::Interior; };
+    Vector change = Vector::Zero(), fromPlanes = Vector::Zero();
+    for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
+    {
+        int const j = neighbours.index()[k];
+        Vector const rij = particles.r[j] - particles.r[i];
+        Real const r2 = rij.squaredNorm();
+        if (r2 >= widest * widest) continue;
+        bool const wall = !particles.isFluid(j);
+        Real const reach = wall || atSurface(i) || atSurface(j) ? surfaceDistance_ : distance_;
+        if (r2 >= reach * reach) continue;
+        if (wall && alongNormal_)
+        {
+            Vector const& normal = particles.normal[j];
+            Real const approach = (particles.u[j] - particles.u[i] - fromPlanes).dot(normal);
+            if (approach > 0) fromPlanes += (1 + restitution_) * approach * normal;
+            continue;
+        }
+        Real const approach = (particles.u[i] - particles.u[j]).dot(rij);
+        if (approach > 0) change -= (1 + restitution_) * (wall ? 1.0 : 0.5) * approach / (r2 + tiny) * rij;
+    }
+    return change + fromPlanes;
+}
 
 void Collision::apply(ParticleSet& particles, NeighbourList const& neighbours, Real dt)
 {
     change_.reserve(particles.r.capacity()); // the halo grows now and then
     change_.assign(particles.r.size(), Vector::Zero());
-    Real const widest = std::max(distance_, surfaceDistance_);
-    auto const atSurface = [&](int i) { return particles.surface[i] != SurfaceLabel::Interior; };
-    for (int i : particles.fluid())
-    {
-        for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
-        {
-            int const j = neighbours.index()[k];
-            Vector const rij = particles.r[j] - particles.r[i];
-            Real const r2 = rij.squaredNorm();
-            if (r2 >= widest * widest) continue;
-            bool const wall = !particles.isFluid(j);
-            Real const reach = wall || atSurface(i) || atSurface(j) ? surfaceDistance_ : distance_;
-            if (r2 >= reach * reach) continue;
-            Real const approach = (particles.u[i] - particles.u[j]).dot(rij);
-            if (approach <= 0) continue;
-            change_[i] -= (1 + restitution_) * (wall ? 1.0 : 0.5) * approach / (r2 + tiny) * rij;
-        }
-    }
+    for (int i : particles.fluid()) change_[i] = changeOf(particles, neighbours, i);
     Real gained = 0;
     for (int i : particles.fluid())
     {

@@ -16,11 +16,15 @@ namespace mpsDem {
 /// \f[ \Delta\mathbf u_i = -(1+e)\frac{m_r}{m} v_n \hat{\mathbf r}_{ij},\quad v_n = (\mathbf u_i-\mathbf u_j)\cdot\hat{\mathbf r}_{ij} > 0 \f]
 /// c is `surfaceDistance` where one of the two is at or near the free surface or is a wall, else `distance`.
 ///
+/// With `walls centres` a particle also meets the particles of a wall along the line of centres: a row of balls, which brakes water that
+/// slips along it and throws it up. With `walls normal` it meets the plane of the wall, once: v_n is then along the normal of the wall.
+///
 /// | key | meaning | unit | default (standard, paper) | range |
 /// | type | pairwise or none | - | pairwise | - |
 /// | distance | c in the interior | spacings | 0.5 | 0..1 |
 /// | surfaceDistance | c at surface and walls | spacings | 0.8, 0.5 | 0..1 |
 /// | restitution | e | - | 0.2 | 0..1 |
+/// | walls | direction of collisions with walls: centres or normal | - | centres | |
 class Collision
 {
 public:
@@ -34,7 +38,11 @@ public:
 private:
     Collision(Dictionary const& dict, SchemeSet set, Lattice const& lattice, Real density, Ledger& ledger);
 
+    /// Change of the velocity of fluid particle i by all particles close to it [m/s].
+    Vector changeOf(ParticleSet const& particles, NeighbourList const& neighbours, int i) const;
+
     Real distance_, surfaceDistance_, restitution_, particleMass_;
+    bool alongNormal_; ///< `walls normal`.
     Real& dissipated_;
     Field<Vector> change_;
 };

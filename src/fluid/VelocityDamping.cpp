@@ -45,7 +45,7 @@ void VelocityDamping::findGradients(ParticleSet const& particles, NeighbourList 
             slope.noalias() += q * (particles.u[j] - ui) * rij.transpose();
         }
         typename MomentSum<d>::Square c;
-        defined_[i] = moment.invert(factor, c);
+        defined_[i] = particles.surface[i] != SurfaceLabel::Surface && moment.invert(factor, c);
         if (!defined_[i]) continue;
         gradient_[i].setZero();
         gradient_[i].template leftCols<d>() = factor * slope.template leftCols<d>() * c;

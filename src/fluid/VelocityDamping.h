@@ -15,7 +15,7 @@ namespace mpsDem {
 /// \f[ \mathbf u_i^* \mathrel{+}= \Delta t\,\beta\sqrt{\pi g/l_0}\;\frac{1}{n^0}\sum_j w_{ij}
 ///     \left(\mathbf u_j - \mathbf u_i - \tfrac12(\mathbf L_i+\mathbf L_j)\,\mathbf r_{ij}\right),\qquad
 ///     \mathbf L_i = \frac{d}{n^0}\sum_j w_{ij}\frac{(\mathbf u_j-\mathbf u_i)\otimes\mathbf r_{ij}}{r_{ij}^2}\,\mathbf C_i \f]
-/// over pairs of fluid particles. The pressure can't act on eddies of a spacing's size: they live for ever and mix momentum like a
+/// over pairs of fluid particles below the surface. The pressure can't act on eddies of a spacing's size: they live for ever and mix momentum like a
 /// viscosity. A linear field is not touched, nor (in the interior) a quadratic one, so that a wave of n
 /// spacings loses of the order of (2 pi/n)^4 of what it would lose to a viscosity. Momentum is conserved pair by pair. The rate is that of
 /// SurfaceDamping; without gravity nothing is done.
@@ -41,7 +41,7 @@ private:
     Real rate_; ///< beta sqrt(pi g/l0) [1/s].
     Real n0_;
     Field<Tensor> gradient_;      ///< L of the fluid particles [1/s].
-    Field<std::uint8_t> defined_; ///< Whether a particle has enough neighbours for L.
+    Field<std::uint8_t> defined_; ///< Whether a particle takes part: not on the free surface, enough neighbours for L.
 };
 
 } // namespace mpsDem
