@@ -1,4 +1,4 @@
-// Fluid in 3-D: viscosity in a periodic box, the free surface's labels, labelling of walls (DBL), and pressure that turns a body.
+// Fluid in 3-D: viscosity in a periodic box, the free surface's labels, and pressure that turns a body.
 
 #include <cmath>
 #include <numbers>
