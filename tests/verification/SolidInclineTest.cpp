@@ -1,6 +1,8 @@
 // A block and a ball on inclined planes of triangles, against closed forms and against the same in 2-D.
 
+#include "io/StlFile.h"
 #include "support/SolidScene.h"
+#include "support/TemporaryFolder.h"
 
 namespace mpsDem::test {
 
@@ -136,6 +138,41 @@ TEST(SolidIncline, cutsOfThePlaneAreNotFelt)
         expectBelow(name + "difference of place [m]", (block.centre() - end).norm(), 1e-9);
         expectBelow(name + "difference of attitude [rad]", (block.rotation().col(0) - turn).norm(), 1e-9);
     }
+}
+
+// The same block slides for 1 s down a leaning plane: an endless one (a stopper), and 2000 triangles at random read from an STL file.
+TEST(SolidInclineGate, slidesOnAPlaneFromAFileAsOnAnEndlessOne)
+{
+    Real const mu = 0.3, angle = pi / 6, exact = 0.5 * g * (std::sin(angle) - mu * std::cos(angle));
+    Quaternion const turn(Eigen::AngleAxisd(0.7, Vector(1, 2, 3).normalized()));
+    Vector const down = turn * Vector::UnitX(), up = turn * Vector::UnitZ();
+    TemporaryFolder const folder;
+    TriSurface const cut = cutPlane("plane", {-1, -1, 0}, {3, 1, 0}, 999).moved(turn.toRotationMatrix(), {0, 0, 0});
+    writeStl(folder / "plane.stl", cut);
+    TriSurface const read = readStl(folder / "plane.stl", "plane");
+    ASSERT_EQ(read.triangles().size(), 2000u);
+    std::array<Real, 2> path{};
+    for (bool const fromFile : {false, true})
+    {
+        auto scene = blockOnPlane(mu, angle, 0.05, floorMesh(), 1e9, 0.4, turn);
+        std::ostringstream plane;
+        plane.precision(17);
+        plane << "stoppers { plane { type stopper; body block; point (0 0 0); normal (" << up.transpose() << "); " << linear(mu)
+              << " } }";
+        scene->walls.clear();
+        if (fromFile) scene->walls = {read};
+        scene->build(linear(mu) + (fromFile ? "" : plane.str()));
+        RigidBody const& block = *scene->pointers[0];
+        Vector const start = block.centre();
+        run(*scene, 500);
+        Vector const way = block.centre() - start;
+        std::string const name = fromFile ? "plane of 2000 triangles from an STL file" : "endless plane";
+        path[fromFile] = way.dot(down);
+        std::printf("%s: way after 1 s %.7f m, closed form %.7f m\n", name.c_str(), path[fromFile], exact);
+        expectBelow(name + ", way after 1 s over the closed form - 1", path[fromFile] / exact - 1, 1e-3);
+        expectBelow(name + ", off the plane [m]", way.dot(up), 1e-5);
+    }
+    expectBelow("way on the plane from the file over that on the endless one - 1", path[1] / path[0] - 1, 1e-3);
 }
 
 // A ball rolls where tan(theta) <= 3.5 mu: a = 5/7 g sin(theta); else it slips: a = g (sin - mu cos). Its plane has 402 triangles.
