@@ -20,6 +20,49 @@ Real standingHeight(Quaternion const& pose)
     return -least;
 }
 
+/// Largest values over impacts of a cube on a floor.
+struct Impacts
+{
+    Real gained = 0;  ///< Kinetic energy after / before - 1.
+    Real balance = 0; ///< Energy with springs and heat / before - 1.
+    Real overlap = 0; ///< [spacings]
+};
+
+/// One impact; see impacts().
+void addImpact(Impacts& sum, Quaternion const& pose, Real speed, Real e, Real dt, Real factor)
+{
+    SolidScene scene;
+    scene.walls = {floorMesh(1)};
+    RigidBody& cube = scene.addCuboid("cube", cubeSize, 1000, {0, 0, 1e-3 + standingHeight(pose)}, pose);
+    cube.setVelocity({0, 0, -speed}, Vector::Zero());
+    scene.build("mu 0.3; e " + std::to_string(e) + "; impactSpeed " + std::to_string(factor * speed) + ";");
+    Real const before = scene.kineticEnergy();
+    std::size_t touched = 0;
+    while (scene.time < 1 && (touched == 0 || scene.contact->contactCount() > 0))
+    {
+        scene.step(dt, 1, [&] {
+            touched = std::max(touched, scene.contact->contactCount());
+            sum.overlap = std::max(sum.overlap, scene.contact->maxOverlap() / scene.spacing);
+        });
+    }
+    EXPECT_GT(touched, 0u);
+    sum.gained = std::max(sum.gained, scene.kineticEnergy() / before - 1);
+    sum.balance = std::max(sum.balance, std::abs(scene.energy() / before - 1));
+}
+
+/// Impacts at 0.5 to 3 m/s on face, edge, corner and askew, e 0.2 and 1. @param factor  impactSpeed over speed. @param steps  Fluid steps [s].
+Impacts impacts(Real factor, std::vector<Real> const& steps)
+{
+    std::vector<Quaternion> const poses{Quaternion::Identity(), turned(std::numbers::pi / 4, Vector::UnitX()),
+                                        Quaternion::FromTwoVectors(Vector(-1, -1, -1), -Vector::UnitZ()), turned(0.4, Vector(1, 2, 0.3))};
+    Impacts sum;
+    for (Quaternion const& pose : poses)
+        for (Real const speed : {0.5, 1.0, 3.0})
+            for (Real const e : {0.2, 1.0})
+                for (Real const dt : steps) addImpact(sum, pose, speed, e, dt, factor);
+    return sum;
+}
+
 } // namespace
 
 // Standing on an edge or a corner under its centre, a cube without friction or spin carries its weight there: the edge and corner points
@@ -44,39 +87,30 @@ TEST(SolidContact, cubeStandsOnEdgeAndCorner)
     }
 }
 
-// Impact at 0.5 to 3 m/s on face, edge and corner, elastic and not: no energy is gained, and overlaps stay small where impactSpeed is the
-// speed of the impact.
+// Impact at 0.5 to 3 m/s on face, edge and corner, elastic and not: no energy is gained. Where impactSpeed is the speed of the impact, the
+// rule for the stiffness (PairStiffness.h) lets a corner sink in by 0.05 spacings: the bound is that of the rule.
 TEST(SolidContact, impactsGainNoEnergy)
 {
-    std::vector<Quaternion> const poses{Quaternion::Identity(), turned(std::numbers::pi / 4, Vector::UnitX()),
-                                        Quaternion::FromTwoVectors(Vector(-1, -1, -1), -Vector::UnitZ()), turned(0.4, Vector(1, 2, 0.3))};
-    Real gained = 0, overlap = 0, balance = 0;
-    for (Quaternion const& pose : poses)
-        for (Real const speed : {0.5, 1.0, 3.0})
-            for (Real const e : {0.2, 1.0})
-                for (Real const dt : {5e-4, 2e-3})
-                {
-                    SolidScene scene;
-                    scene.walls = {floorMesh(1)};
-                    RigidBody& cube = scene.addCuboid("cube", cubeSize, 1000, {0, 0, 1e-3 + standingHeight(pose)}, pose);
-                    cube.setVelocity({0, 0, -speed}, Vector::Zero());
-                    scene.build("mu 0.3; e " + std::to_string(e) + "; impactSpeed " + std::to_string(speed) + ";");
-                    Real const before = scene.kineticEnergy();
-                    std::size_t touched = 0;
-                    while (scene.time < 1 && (touched == 0 || scene.contact->contactCount() > 0))
-                    {
-                        scene.step(dt, 1, [&] {
-                            touched = std::max(touched, scene.contact->contactCount());
-                            overlap = std::max(overlap, scene.contact->maxOverlap() / scene.spacing);
-                        });
-                    }
-                    EXPECT_GT(touched, 0u);
-                    gained = std::max(gained, scene.kineticEnergy() / before - 1);
-                    balance = std::max(balance, std::abs(scene.energy() / before - 1));
-                }
-    expectBelow("impacts of a cube, largest relative gain of kinetic energy", gained, 1e-3);
-    expectBelow("impacts of a cube, energy budget, relative", balance, 1e-2);
-    expectBelow("impacts of a cube, largest overlap / spacing", overlap, 0.06);
+    Impacts const found = impacts(1, {5e-4, 2e-3});
+    expectBelow("impacts of a cube, largest relative gain of kinetic energy", found.gained, 1e-3);
+    expectBelow("impacts of a cube, energy budget, relative", found.balance, 1e-2);
+    expectBelow("impacts of a cube, largest overlap / spacing", found.overlap, 0.051);
+}
+
+// An impactSpeed of five times the speed of the impact keeps the overlap below 0.01 spacings, in 5 times as many sub-steps: at 3 m/s fluid
+// steps of 2 ms would need more than the 2000 that are allowed.
+TEST(SolidContact, impactsOfAFifthOfImpactSpeedSinkInByAHundredth)
+{
+    Impacts const found = impacts(5.05, {1e-4, 5e-4});
+    expectBelow("impacts of a cube, impactSpeed 5.05 v, relative gain of kinetic energy", found.gained, 1e-3);
+    expectBelow("impacts of a cube, impactSpeed 5.05 v, largest overlap / spacing", found.overlap, 0.01);
+}
+
+// Overlap 0.0500 spacings with impactSpeed v, 0.0167 with 3 v (1.7 times the processor time of the test), 0.0100 with 5 v (2.5 times). The sub-steps
+// go with impactSpeed; with 5 v cubes at 3 m/s need 3141 of them in a fluid step of 2 ms, which is refused.
+TEST(SolidContact, DISABLED_impactsSinkInByAHundredth)
+{
+    expectBelow("impacts of a cube, largest overlap / spacing", impacts(1, {5e-4, 2e-3}).overlap, 0.01);
 }
 
 // Two cubes meet off their centres in 3-D; momentum and angular momentum stay.

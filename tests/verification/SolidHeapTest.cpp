@@ -45,6 +45,32 @@ void expectOnTheFloor(SolidScene const& scene, std::string const& after, Real bo
     expectBelow("fifty blocks, fastest after " + after, fastest, bound);
 }
 
+/// Largest values over a fall.
+struct Fall
+{
+    SolidScene& scene;
+    Real scale;                  ///< Of energies [J].
+    Real start = scene.energy(); ///< [J]
+    Real gained = 0;             ///< Energy above that of the start, over scale.
+    Real overlap = 0;            ///< [spacings]
+    std::size_t contacts = 0;
+
+    Fall(SolidScene& of, Real energy) : scene(of), scale(energy) {}
+
+    [[nodiscard]] Real change() const { return (scene.energy() - start) / scale; }
+
+    void run(int steps)
+    {
+        for (int i = 0; i < steps; ++i)
+        {
+            scene.step(4e-3);
+            gained = std::max(gained, change());
+            overlap = std::max(overlap, scene.contact->maxOverlap() / scene.spacing);
+            contacts = std::max(contacts, scene.contact->contactCount());
+        }
+    }
+};
+
 } // namespace
 
 TEST(SolidHeap, costGrowsWithContacts)
@@ -80,46 +106,43 @@ TEST(SolidHeap, costGrowsWithContacts)
     expectBelow("falling blocks, comparisons of boxes per fluid step and block, 200", many.boxes / 20 / 200, 100);
 }
 
-// Fifty blocks fall on the floor and on one another: no energy from nowhere, none lost without heat, nothing sinks in.
+// Fifty blocks fall on the floor and on one another: no energy from nowhere, none lost without heat, nothing sinks in. The overlap is what the
+// stiffness for impactSpeed 1 allows at 2.5 m/s: 0.055 spacings.
 TEST(SolidHeap, fiftyBlocksFall)
 {
     muteLog(true);
     auto scene = falling(50);
-    Real const start = scene->energy();
-    Real const scale = scene->kineticEnergy() + 50 * 1.5 * 9.81 * 0.3;
-    Real gained = 0, overlap = 0;
-    std::size_t contacts = 0;
-    for (int i = 0; i < 50; ++i)
-    {
-        scene->step(4e-3);
-        gained = std::max(gained, (scene->energy() - start) / scale);
-        overlap = std::max(overlap, scene->contact->maxOverlap() / scene->spacing);
-        contacts = std::max(contacts, scene->contact->contactCount());
-    }
+    Fall fall(*scene, 50 * 1.5 * 9.81 * 0.3 + scene->kineticEnergy());
+    fall.run(50);
     muteLog(false);
-    EXPECT_GT(contacts, 500u);
-    expectBelow("fifty blocks, largest gain of energy, relative", gained, 1e-3);
-    expectBelow("fifty blocks, energy budget, relative", (scene->energy() - start) / scale, 1e-2);
-    expectBelow("fifty blocks, largest overlap / spacing", overlap, 0.1);
+    EXPECT_GT(fall.contacts, 500u);
+    expectBelow("fifty blocks, largest gain of energy, relative", fall.gained, 1e-3);
+    expectBelow("fifty blocks, energy budget, relative", fall.change(), 1e-2);
+    expectBelow("fifty blocks, largest overlap / spacing", fall.overlap, 0.06);
     expectOnTheFloor(*scene, "0.2 s [m/s]; 2.5 before", 1);
+}
+
+// Overlap in the first 0.2 s 0.055 spacings with impactSpeed 1, 0.041 with 2.5, 0.023 with 5, in 150, 397, 766 sub-steps a fluid step and 3.0, 8.5,
+// 17.4 s of processor time; 10 is refused (more than 2000 sub-steps). Until the heap lies still, with 1: 0.093.
+TEST(SolidHeap, DISABLED_fiftyBlocksSinkInByAHundredth)
+{
+    muteLog(true);
+    auto scene = falling(50);
+    Fall fall(*scene, 1);
+    fall.run(50);
+    muteLog(false);
+    expectBelow("fifty blocks, largest overlap / spacing", fall.overlap, 0.01);
 }
 
 // Fifty blocks fall, and lie still on one another in the end, without energy from nowhere.
 TEST(SolidHeapGate, fiftyBlocksComeToRest)
 {
     auto scene = falling(50);
-    Real const start = scene->energy();
-    Real const scale = 50 * 1.5 * 9.81 * 0.25;
-    Real gained = 0, overlap = 0;
-    for (int i = 0; i < 400; ++i)
-    {
-        scene->step(4e-3);
-        gained = std::max(gained, (scene->energy() - start) / scale);
-        overlap = std::max(overlap, scene->contact->maxOverlap() / scene->spacing);
-    }
-    expectBelow("fifty blocks, largest gain of energy / (weight x mean height)", gained, 1e-2);
-    expectBelow("fifty blocks, largest overlap / spacing", overlap, 0.2);
-    expectOnTheFloor(*scene, "1.6 s [m/s]", 0.3);
+    Fall fall(*scene, 50 * 1.5 * 9.81 * 0.25);
+    fall.run(400);
+    expectBelow("fifty blocks, largest gain of energy / (weight x mean height)", fall.gained, 1e-3);
+    expectBelow("fifty blocks, largest overlap / spacing", fall.overlap, 0.1); // see fiftyBlocksSinkInByAHundredth
+    expectOnTheFloor(*scene, "1.6 s [m/s]", 0.03);
 }
 
 // Saved in the fall, loaded into a new scene in which other pairs exist, and undone and repeated: all go on bit by bit.
