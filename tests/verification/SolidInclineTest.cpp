@@ -157,8 +157,7 @@ TEST(SolidInclineGate, slidesOnAPlaneFromAFileAsOnAnEndlessOne)
         auto scene = blockOnPlane(mu, angle, 0.05, floorMesh(), 1e9, 0.4, turn);
         std::ostringstream plane;
         plane.precision(17);
-        plane << "stoppers { plane { type stopper; body block; point (0 0 0); normal (" << up.transpose() << "); " << linear(mu)
-              << " } }";
+        plane << "stoppers { plane { type stopper; body block; point (0 0 0); normal (" << up.transpose() << "); " << linear(mu) << " } }";
         scene->walls.clear();
         if (fromFile) scene->walls = {read};
         scene->build(linear(mu) + (fromFile ? "" : plane.str()));
