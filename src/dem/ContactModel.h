@@ -96,6 +96,7 @@ public:
     };
     [[nodiscard]] Work work() const;
     [[nodiscard]] std::vector<Latch> const& latches() const { return latches_; }
+    [[nodiscard]] Real latchedEnergy() const; ///< Kinetic energy that latches took from their bodies since the start [J].
 
     /// One line a pair: law, mu, e, stiffness, damping, static overlap, sub-step.
     void report(std::ostream& os, std::span<RigidBody* const> bodies) const;

@@ -92,6 +92,13 @@ ContactModel::Work ContactModel::work() const
     return work;
 }
 
+Real ContactModel::latchedEnergy() const
+{
+    Real sum = 0;
+    for (Latch const& latch : latches_) sum += latch.energy();
+    return sum;
+}
+
 void ContactModel::save(State& state) const
 {
     State::Integers keys;

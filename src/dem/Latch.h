@@ -9,7 +9,8 @@
 
 namespace mpsDem {
 
-/// Locks one body for good as soon as one of its contact points reaches a plane, and keeps the impulse that this took.
+/// Locks one body for good as soon as one of its contact points reaches a plane, and keeps the impulse and the energy
+/// that this took.
 ///
 /// | key    | meaning                       | unit | default        |
 /// |--------|-------------------------------|------|----------------|
@@ -26,6 +27,8 @@ public:
     [[nodiscard]] bool closed() const { return closed_; }
     /// Impulse on the body when it was locked, -m V [N s].
     [[nodiscard]] Vector const& impulse() const { return impulse_; }
+    /// Kinetic energy, rotation included, that the body lost when it was locked [J].
+    [[nodiscard]] Real energy() const { return energy_; }
 
     /// Locks the body if it touches. Logs it.
     void check(RigidBody& body, ContactPointSet const& points);
@@ -40,6 +43,7 @@ private:
     Vector normal_;
     bool closed_ = false;
     Vector impulse_ = Vector::Zero();
+    Real energy_ = 0;
 };
 
 } // namespace mpsDem

@@ -8,7 +8,7 @@ namespace mpsDem {
 /// `type energyBudget;`: where the energy is, over time [J]. No keys of its own.
 ///
 /// Table `energy.dat`: fluidKinetic = sum m u^2/2, fluidPotential = -sum m g.r, bodyKinetic (rotation included), bodyPotential, each entry
-/// of the energy ledger under its own name (collision, contactDissipated, contactStored, ...: energy taken out of the motion), total =
+/// of the energy ledger under its own name (collision, contactDissipated, contactStored, latch, ...: energy taken out of the motion), total =
 /// the sum of all, and change = total less that at the start. Columns of an absent effect are absent. What the ledger does not know
 /// (viscosity, truncation, the work of prescribed motions) remains in `change`.
 class EnergyBudget : public FunctionObject

@@ -27,6 +27,7 @@ SolidStage::SolidStage(std::vector<std::unique_ptr<RigidBody>>& bodies, std::uni
     {
         contactDissipated_ = &ledger.energy("energy/contactDissipated");
         contactStored_ = &ledger.energy("energy/contactStored");
+        if (!contacts_->latches().empty()) latched_ = &ledger.energy("energy/latch");
         contactTimer_ = Timers::add("contact", "contact");
     }
     motionTimer_ = Timers::add("body motion", "bodies");
@@ -91,6 +92,7 @@ void SolidStage::advance(Step const& step)
     if (!contacts_) return;
     *contactDissipated_ = contacts_->dissipatedEnergy();
     *contactStored_ = contacts_->elasticEnergy();
+    if (latched_ != nullptr) *latched_ = contacts_->latchedEnergy();
 }
 
 void SolidStage::correctPressure(ParticleSet& particles)

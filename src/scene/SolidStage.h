@@ -54,6 +54,7 @@ private:
     Vector* gravityImpulse_ = nullptr;
     Real* contactDissipated_ = nullptr;
     Real* contactStored_ = nullptr;
+    Real* latched_ = nullptr; ///< Ledger; only where there is a latch.
     int couplingTimer_ = -1, contactTimer_ = -1, motionTimer_ = -1;
 };
 

@@ -119,18 +119,26 @@ TEST(ContactModel, stopperStopsItsBodyOnly)
     EXPECT_EQ(b.velocity().x(), 1);
 }
 
-TEST(ContactModel, latchLocksAndKeepsTheImpulse)
+TEST(ContactModel, latchLocksAndKeepsImpulseAndEnergy)
 {
     muteLog(true);
     ContactScene scene;
     RigidBody& slide = scene.addBox("slide", 0.1, 0.1, 1000, {0, 0, 0});
     slide.setVelocity({1, -0.5, 0}, Vector::Zero());
+    Real const energy = slide.kineticEnergy();
     scene.build("mu 0.3; stoppers { foot { type latch; body slide; point (0.1 0 0); normal (-1 0 0); } }");
     for (int i = 0; i < 100; ++i) scene.step(1e-3);
     muteLog(false);
     EXPECT_TRUE(slide.locked());
     EXPECT_TRUE(scene.contact->latches()[0].closed());
     EXPECT_NEAR((scene.contact->latches()[0].impulse() - Vector(-10, 5, 0)).norm(), 0, 1e-9);
+    EXPECT_NEAR(scene.contact->latchedEnergy(), energy, 1e-9);
+    State state;
+    scene.contact->save(state);
+    scene.build("mu 0.3; stoppers { foot { type latch; body slide; point (0.1 0 0); normal (-1 0 0); } }");
+    EXPECT_EQ(scene.contact->latchedEnergy(), 0);
+    scene.contact->load(state);
+    EXPECT_NEAR(scene.contact->latchedEnergy(), energy, 1e-9);
     EXPECT_NEAR(slide.centre().x(), 0.05, 2e-3);
     EXPECT_EQ(scene.contact->subSteps(scene.pointers, 1e-3), 1);
 }
