@@ -154,6 +154,16 @@ std::string Dictionary::str() const { return dictionary::nodeText(*node_); }
 
 namespace {
 
+/// The nearest of the keys that stand where `key` was looked for: in the sub-dictionary that it names, else in `node`.
+std::string nearestScoped(Dictionary::Node const& node, std::string const& key)
+{
+    std::size_t const last = key.find_last_of("/.");
+    Entry const* const parent =
+        last == std::string::npos ? nullptr : node.findScoped(key.substr(0, last), key[last], Dictionary::Node::Match::Pattern);
+    if (!parent || !parent->dict) return dictionary::didYouMean(key, node.keys());
+    return dictionary::didYouMean(key.substr(last + 1), parent->dict->keys());
+}
+
 Entry const& scopedEntry(Dictionary::Node const& node, std::string const& scopedKey)
 {
     std::string key = scopedKey;
@@ -162,7 +172,7 @@ Entry const& scopedEntry(Dictionary::Node const& node, std::string const& scoped
     if (!entry) entry = node.findScoped(key, '.', Dictionary::Node::Match::Pattern);
     Location place = node.where();
     place.entry = scopedKey;
-    require(entry != nullptr, place, "Cannot find entry " + scopedKey, dictionary::didYouMean(scopedKey, node.keys()));
+    require(entry != nullptr, place, "Cannot find entry " + scopedKey, nearestScoped(node, key));
     return *entry;
 }
 

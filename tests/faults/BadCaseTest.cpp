@@ -213,6 +213,7 @@ TEST(BadCase, AFolderWithoutACaseIsRefused)
         expectRefusal(runProgram(name, empty / "missing"), name, {"does not exist"});
         EXPECT_TRUE(std::filesystem::is_empty(empty.path())) << name;
     }
+    expectRefusal(runProgram("postGauges", empty / "missing"), "postGauges", {"does not exist"});
 }
 
 } // namespace

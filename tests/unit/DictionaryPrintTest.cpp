@@ -84,6 +84,16 @@ TEST(DictionaryPrint, printsScopedEntriesStatementsAndKeywords)
     EXPECT_EQ(dictionary.entryKeywords(), (std::vector<std::string>{"a", "x.y"}));
     EXPECT_EQ(dictionary.entryKeywords("a.b"), (std::vector<std::string>{"c", "\"x.*\""}));
     EXPECT_THROW(static_cast<void>(dictionary.entryText("a.c")), mpsDem::CaseError);
+    auto const wedge = Dictionary::fromText("wedge { topX 1; lowX 2; }");
+    for (std::string const entry : {"wedge/topXX", "wedge.topXX"}) try
+        {
+            static_cast<void>(wedge.entryText(entry));
+            ADD_FAILURE() << entry << " was found";
+        }
+        catch (mpsDem::CaseError const& error)
+        {
+            EXPECT_NE(std::string(error.what()).find("did you mean topX?"), std::string::npos) << error.what();
+        }
 }
 
 TEST(DictionaryPrint, printedTextReadsBackToTheSameText)

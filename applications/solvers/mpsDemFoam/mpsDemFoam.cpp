@@ -35,7 +35,8 @@ void advance(Scene& scene, Step const& step)
 
 int run(CommandLine const& line)
 {
-    Clock::time_point const begin = Clock::now();
+    Clock::time_point const begin = Clock::now(); // of both times that the log tells
+    std::clock_t const clockBegin = std::clock();
     CaseFolder const folder(line.caseRoot());
     std::optional<CaseLock> lock; // a dry run writes nothing, and the case may be read-only
     if (!line.found("dry-run")) lock.emplace(folder.root());
@@ -56,7 +57,7 @@ int run(CommandLine const& line)
     while (scene.time().running())
     {
         Step const step = scene.takeStep([&scene](Step const& wanted) { advance(scene, wanted); });
-        scene.logStep(step, static_cast<double>(std::clock()) / CLOCKS_PER_SEC, secondsSince(begin));
+        scene.logStep(step, static_cast<double>(std::clock() - clockBegin) / CLOCKS_PER_SEC, secondsSince(begin));
         scene.observe(step); // function objects; what they tell stands behind the step in the log
         scene.writeIfDue(step);
         requests.serve(scene, secondsSince(begin));

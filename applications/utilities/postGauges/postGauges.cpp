@@ -27,6 +27,7 @@ ApplicationDescription description()
 int work(CommandLine const& line)
 {
     std::filesystem::path const root = line.caseRoot();
+    require(std::filesystem::is_directory(root), Location{}, "the case folder \"" + root.string() + "\" does not exist");
     requireRanges(line.valueOr("time", ""));
     std::filesystem::path const file = root / line.valueOr("dict", "system/postGaugesDict");
     auto const dict = Dictionary::fromFile(file, root);
