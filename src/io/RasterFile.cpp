@@ -1,5 +1,6 @@
 #include "io/RasterFile.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -8,6 +9,7 @@
 
 #include "core/Errors.h"
 #include "io/OutputFile.h"
+#include "io/RasterSamples.h"
 #include "io/TextWords.h"
 
 namespace mpsDem {
@@ -64,6 +66,9 @@ public:
         words_.next();
         return missing ? std::optional<Real>() : number;
     }
+
+    /// Of the next height.
+    [[nodiscard]] int line() const { return words_.line(); }
 
     void finish() const { check(words_.done(), words_.line(), words_.shown() + " behind the last height", "ncols times nrows heights"); }
 
@@ -132,33 +137,26 @@ private:
     std::map<std::string, Entry> entries_;
 };
 
-/// Samples on a regular grid, rows from north to south; NaN where there is none.
-struct Samples
+RasterSamples readSamples(Reader& reader, Header const& header, int every)
 {
-    int columns = 0, rows = 0;
-    Field<Real> height;
-    [[nodiscard]] std::size_t index(int row, int column) const
-    {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
-    }
-    [[nodiscard]] Real at(int row, int column) const { return height[index(row, column)]; }
-};
-
-Samples readSamples(Reader& reader, Header const& header, int every)
-{
-    Samples samples{(header.columns - 1) / every + 1, (header.rows - 1) / every + 1, {}};
+    RasterSamples samples;
+    for (int row = 0; row < header.rows; row += every) samples.south.push_back(row);
+    for (int column = 0; column < header.columns; column += every) samples.east.push_back(column);
     for (int row = 0; row < header.rows; ++row)
         for (int column = 0; column < header.columns; ++column)
         {
+            int const line = reader.line();
             auto const height = reader.height(header, row, column);
-            if (row % every == 0 && column % every == 0) samples.height.push_back(height.value_or(std::numeric_limits<Real>::quiet_NaN()));
+            if (row % every != 0 || column % every != 0) continue;
+            samples.height.push_back(height.value_or(std::numeric_limits<Real>::quiet_NaN()));
+            samples.line.push_back(line);
         }
     reader.finish();
     return samples;
 }
 
 /// Triangles of the square whose north-western sample is (row, column), counter-clockwise from above, by the numbers of samples.
-void addSquare(Samples const& samples, int row, int column, std::vector<std::array<std::size_t, 3>>& triangles)
+void addSquare(RasterSamples const& samples, int row, int column, std::vector<std::array<std::size_t, 3>>& triangles)
 {
     std::array<std::size_t, 4> const corner{samples.index(row + 1, column), samples.index(row + 1, column + 1),
                                             samples.index(row, column + 1),
@@ -183,8 +181,25 @@ void addSquare(Samples const& samples, int row, int column, std::vector<std::arr
     triangles.push_back({corner[from], corner[from + 2], corner[(from + 3) % 4]});
 }
 
+/// Place of a sample in the scene [m].
+Vector placeOf(RasterSamples const& samples, std::size_t sample, Header const& header, RasterOptions const& options)
+{
+    Real const south = samples.south[sample / samples.east.size()], east = samples.east[sample % samples.east.size()];
+    Vector const map(header.west + east * header.cell, header.south + (header.rows - 1 - south) * header.cell, samples.height[sample]);
+    Vector const r = options.scale * (map - options.origin);
+    return options.up == RasterOptions::Up::Z ? r : Vector(r.x(), r.z(), -r.y());
+}
+
+std::vector<std::array<std::size_t, 3>> squaresOf(RasterSamples const& samples)
+{
+    std::vector<std::array<std::size_t, 3>> triangles;
+    for (int row = 0; row + 1 < samples.rows(); ++row)
+        for (int column = 0; column + 1 < samples.columns(); ++column) addSquare(samples, row, column, triangles);
+    return triangles;
+}
+
 /// The samples that triangles use become points.
-TriSurface joined(Samples const& samples, std::vector<std::array<std::size_t, 3>> const& squares, Header const& header,
+TriSurface joined(RasterSamples const& samples, std::vector<std::array<std::size_t, 3>> const& squares, Header const& header,
                   RasterOptions const& options, std::string const& name)
 {
     std::vector<int> number(samples.height.size(), -1);
@@ -194,11 +209,7 @@ TriSurface joined(Samples const& samples, std::vector<std::array<std::size_t, 3>
         int& own = number[sample];
         if (own >= 0) return own;
         own = static_cast<int>(points.size());
-        auto const row = static_cast<Real>(sample / static_cast<std::size_t>(samples.columns)) * options.every;
-        auto const column = static_cast<Real>(sample % static_cast<std::size_t>(samples.columns)) * options.every;
-        Vector const map(header.west + column * header.cell, header.south + (header.rows - 1 - row) * header.cell, samples.height[sample]);
-        Vector const r = options.scale * (map - options.origin);
-        points.push_back(options.up == RasterOptions::Up::Z ? r : Vector(r.x(), r.z(), -r.y()));
+        points.push_back(placeOf(samples, sample, header, options));
         return own;
     };
     triangles.reserve(squares.size());
@@ -217,16 +228,15 @@ TriSurface readRaster(std::filesystem::path const& file, std::string const& name
     std::string const text = readBytes(file);
     Reader reader(text, file);
     Header const header = reader.readHeader();
-    Samples const samples = readSamples(reader, header, options.every);
+    RasterSamples const samples = readSamples(reader, header, options.every);
     require(samples.height.size() < 500'000'000, where, "the raster has too many samples", "fewer than 500 million; take every n-th");
-
-    std::vector<std::array<std::size_t, 3>> squares;
-    for (int row = 0; row + 1 < samples.rows; ++row)
-        for (int column = 0; column + 1 < samples.columns; ++column) addSquare(samples, row, column, squares);
-    require(!squares.empty(), where, "the raster has no square of heights",
+    checkHeights(samples, {file.string(), header.missing, std::max(header.columns, header.rows) * header.cell});
+    require(!squaresOf(samples).empty(), where, "the raster has no square of heights",
             "two rows and two columns or more with heights that are not NODATA_value");
+    warnOfHoles(samples, file.string());
 
-    return joined(samples, squares, header, options, name);
+    RasterSamples const covering = continued(samples, header.columns, header.rows);
+    return joined(covering, squaresOf(covering), header, options, name);
 }
 
 } // namespace mpsDem

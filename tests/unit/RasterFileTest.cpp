@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/Errors.h"
+#include "core/Log.h"
 #include "io/RasterFile.h"
 #include "support/Measured.h"
 #include "support/TemporaryFolder.h"
@@ -54,13 +55,52 @@ protected:
 TEST_F(RasterFile, HeightsStandInTheMiddlesOfTheirCellsNorthFirst)
 {
     TriSurface const bed = read(head + heights);
-    EXPECT_EQ(bed.points().size(), 6u);
-    EXPECT_EQ(bed.triangles().size(), 4u);
+    EXPECT_EQ(bed.points().size(), 20u) << "6 and 14 around them";
+    EXPECT_EQ(bed.triangles().size(), 24u);
     EXPECT_TRUE(has(bed, {105, 205, 1}));
     EXPECT_TRUE(has(bed, {125, 205, 3.5}));
     EXPECT_TRUE(has(bed, {105, 215, 4}));
     EXPECT_TRUE(has(bed, {125, 215, 6}));
     for (auto const& t : bed.triangles()) EXPECT_GT(t.normal.z(), 0.8);
+}
+
+TEST_F(RasterFile, TheSurfaceCoversTheCellsInALineWithTheLastHeights)
+{
+    TriSurface const bed = read(head + heights);
+    EXPECT_EQ(bed.low().head<2>(), Vector(100, 200, 0).head<2>());
+    EXPECT_EQ(bed.high().head<2>(), Vector(130, 220, 0).head<2>());
+    EXPECT_TRUE(has(bed, {100, 205, 0.5}));
+    EXPECT_TRUE(has(bed, {130, 205, 4.25}));
+    EXPECT_TRUE(has(bed, {115, 200, 0.5}));
+    EXPECT_TRUE(has(bed, {100, 200, -1})) << "the corner";
+    TriSurface const flat = read("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9\n1 -9 1\n1 1 1\n");
+    EXPECT_EQ(flat.low(), Vector(0, 0, 1)) << "beside a missing height the last one is continued";
+    EXPECT_EQ(flat.high(), Vector(3, 2, 1));
+}
+
+TEST_F(RasterFile, HeightsFarOffTheOthersAreRefusedOrWarnedOf)
+{
+    auto const grid = [](std::string const& none, std::string const& odd, Real slope) {
+        std::ostringstream text;
+        text << "ncols 10\nnrows 6\nxllcorner 0\nyllcorner 0\ncellsize 100\nNODATA_value " << none << "\n";
+        for (int row = 0; row < 6; ++row)
+            for (int column = 0; column < 10; ++column)
+                text << (row == 2 && column == 3 ? odd : std::to_string(5 + slope * column)) << (column == 9 ? '\n' : ' ');
+        return text.str();
+    };
+    refuses(grid("-32768", "-9999", 1), "height -9999 in row 3, column 4 is far off the others", 9);
+    refuses(grid("-9999", "-9999.0001", 0), "height -9999", 9);
+    refuses(grid("-9999", "1e5", 0), "height 100000 in row 3, column 4", 9);
+    auto const warnings = [&](std::string const& text) {
+        int const before = warningCount();
+        static_cast<void>(read(text));
+        return warningCount() - before;
+    };
+    EXPECT_EQ(warnings(grid("-9999", "400", 1)), 1) << "a spike";
+    EXPECT_EQ(warnings(grid("-9999", "400", 1)), 0) << "said once";
+    EXPECT_EQ(warnings(grid("-9999", "50", 1)), 0) << "a rock";
+    EXPECT_EQ(warnings(grid("-9999", "400", 0)), 0) << "a tower on flat ground";
+    EXPECT_EQ(warnings(grid("-9999", "-9999", 1)), 1) << "a hole";
 }
 
 TEST_F(RasterFile, EntriesMayStandInAnyOrderAndNameCentres)
@@ -80,22 +120,22 @@ TEST_F(RasterFile, AxesOriginAndScale)
     TriSurface const bed = read(head + heights, options);
     EXPECT_TRUE(has(bed, {2.5, 0.25, -0.5})) << "x east, y up, z south";
     for (auto const& t : bed.triangles()) EXPECT_GT(t.normal.y(), 0.8);
-    EXPECT_NEAR((bed.high() - bed.low()).z(), 1, 1e-12);
+    EXPECT_NEAR((bed.high() - bed.low()).z(), 2, 1e-12);
 }
 
 TEST_F(RasterFile, MissingHeightsLeaveHoles)
 {
     std::string const grid = "ncols 4\nnrows 4\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -1\n";
-    EXPECT_EQ(read(grid + "0 0 0 0\n0 0 0 0\n0 0 0 0\n0 0 0 0\n").triangles().size(), 18u);
+    EXPECT_EQ(read(grid + "0 0 0 0\n0 0 0 0\n0 0 0 0\n0 0 0 0\n").triangles().size(), 50u);
     TriSurface const corner = read(grid + "-1 0 0 0\n0 0 0 0\n0 0 0 0\n0 0 0 0\n");
-    EXPECT_EQ(corner.triangles().size(), 17u);
-    EXPECT_EQ(corner.points().size(), 15u);
-    test::expectBelow("area with a corner missing", corner.area() - 8.5, 1e-12);
+    EXPECT_EQ(corner.triangles().size(), 50u - 7u);
+    EXPECT_EQ(corner.points().size(), 36u - 4u);
+    test::expectBelow("area with a corner missing", corner.area() - (16 - 0.25 - 2 * 0.5 - 0.5), 1e-12);
     TriSurface const hole = read(grid + "0 0 0 0\n0 -1 -1 0\n0 0 0 0\n0 0 0 0\n");
-    EXPECT_EQ(hole.triangles().size(), 18u - 6u * 2u + 4u);
+    EXPECT_EQ(hole.triangles().size(), 50u - 6u * 2u + 4u);
     EXPECT_FALSE(hole.closed());
     std::string const nan = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value nan\n";
-    EXPECT_EQ(read(nan + "0 nan 0 0").triangles().size(), 1u);
+    EXPECT_EQ(read(nan + "0 nan 0 0").triangles().size(), 1u + 2u * 5u);
 }
 
 TEST_F(RasterFile, SquaresAreCutAlongTheFlatterDiagonal)
@@ -105,8 +145,13 @@ TEST_F(RasterFile, SquaresAreCutAlongTheFlatterDiagonal)
     for (std::string const& text : {grid + "0 1\n1 0.2\n", grid + "1 0\n0.2 1\n"})
     {
         TriSurface const square = read(text);
-        Real turn = 0;
-        for (auto const& edge : square.edges()) turn += edge.turn;
+        Real turn = 0; // of the edge between two samples
+        auto const sample = [&](int k) {
+            Vector const& r = square.points()[static_cast<std::size_t>(k)];
+            return r.x() * (1 - r.x()) == 0 && r.y() * (1 - r.y()) == 0;
+        };
+        for (auto const& edge : square.edges())
+            if (sample(edge.a) && sample(edge.b) && edge.turn > turn) turn = edge.turn;
         EXPECT_GT(turn, 0.5);
     }
 }
@@ -120,12 +165,12 @@ TEST_F(RasterFile, EveryNthSample)
     RasterOptions options;
     options.every = 3;
     TriSurface const bed = read(text.str(), options);
-    EXPECT_EQ(bed.points().size(), 4u * 3u);
+    EXPECT_EQ(bed.points().size(), 6u * 5u);
     EXPECT_EQ(bed.patches(), 1) << "a plane stays one";
-    EXPECT_EQ((bed.high() - bed.low()).x(), 18);
-    EXPECT_EQ((bed.high() - bed.low()).y(), 12);
-    EXPECT_EQ(bed.low().y(), 0);
-    EXPECT_NEAR(bed.high().z(), 0.9, 1e-12);
+    EXPECT_EQ((bed.high() - bed.low()).x(), 22) << "all cells, also those behind the last sample";
+    EXPECT_EQ((bed.high() - bed.low()).y(), 14);
+    EXPECT_EQ(bed.low().y(), -1);
+    EXPECT_NEAR(bed.high().z(), 0.1 * 10.5 + 0.2 * 0.5, 1e-12);
     options.every = 7;
     EXPECT_THROW(read(text.str(), options), CaseError) << "one row is left";
     options.every = 0;

@@ -92,7 +92,7 @@ TEST(SpaceScene, readsWallsAndBodiesFromFiles)
     std::filesystem::create_directories(folder.root() / "constant/triSurface");
     writeStl(folder.root() / "constant/triSurface/cube.stl", TriSurface::box("cube", {0, 0, 0}, {200, 200, 200}));
     std::ofstream(folder.root() / "constant/triSurface/floor.asc")
-        << "ncols 5\nnrows 3\nxllcenter -0.5\nyllcenter -0.75\ncellsize 0.75\n0 0 0 0 0\n0 0 0 0 0\n0 0 0 0 0\n";
+        << "ncols 5\nnrows 3\nxllcorner -1\nyllcorner -1.2\ncellsize 0.8\n0 0 0 0 0\n0 0 0 0 0\n0 0 0 0 0\n";
     folder.write("constant/rigidBodyProperties", "bodies { cube { shape { type triSurfaceMesh; file \"cube.stl\"; scale 0.001; translate "
                                                  "(1 0.4 0.15); } density 500; } }");
     folder.write("system/setParticlesDict", "geometry { floor { type rasterSurface; file \"floor.asc\"; }\n"
