@@ -56,6 +56,7 @@ FluidStage::FluidStage(ParticleSet& particles, std::vector<Surface> const& walls
     Real const margin = (high_ - low_).norm();
     low_ -= Vector::Constant(margin);
     high_ += Vector::Constant(margin);
+    findFloor(walls);
     initialFluid_ = sumOverRanks(static_cast<std::int64_t>(particles.fluid().size()));
     neighbourTimer_ = Timers::add("neighbours", "fluid");
     densityTimer_ = Timers::add("number density", "fluid");
@@ -70,6 +71,21 @@ FluidStage::FluidStage(ParticleSet& particles, std::vector<Surface> const& walls
 }
 
 FluidStage::~FluidStage() = default;
+
+void FluidStage::findFloor(std::vector<Surface> const& walls)
+{
+    Real const g = gravity_.norm();
+    if (!(g > 0)) return;
+    Vector const up = -gravity_ / g;
+    // Where the box is periodic along gravity, what falls comes back from above.
+    if (!images_.contains(0.5 * (low_ + high_) - 1e6 * (high_ - low_).norm() * up)) return;
+    Real lowest = std::numeric_limits<Real>::infinity();
+    for (Surface const& wall : walls)
+        for (Vector const& point : wall.points()) lowest = std::min(lowest, point.dot(up));
+    if (!std::isfinite(lowest)) return;
+    up_ = up;
+    floor_ = lowest - particles_.lattice().spacing;
+}
 
 void FluidStage::requireWallsInside(Location const& where) const
 {
@@ -185,7 +201,7 @@ std::int64_t FluidStage::putBack() const { return sumOverRanks(wallGuard_ ? wall
 bool FluidStage::hasEscaped(int i) const
 {
     Vector const& r = particles_.r[i];
-    if ((r.array() < low_.array()).any() || (r.array() > high_.array()).any()) return true;
+    if ((r.array() < low_.array()).any() || (r.array() > high_.array()).any() || r.dot(up_) < floor_) return true;
     for (Polyline const& wall : walls_)
     {
         Polyline::Closest const nearest = wall.closest(r);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -75,6 +76,7 @@ public:
     static constexpr int sortInterval = 50;
 
 private:
+    void findFloor(std::vector<Surface> const& walls);
     void guardWalls();
     void sortAndCheck(Step const& step);
     void requireFewLost(std::int64_t lost) const;
@@ -93,7 +95,9 @@ private:
     PeriodicImages images_;
     Fluid fluid_;
     std::unique_ptr<PressureEquation> pressure_;
-    Vector low_, high_; ///< Box beyond which a particle is lost [m].
+    Vector low_, high_;                                   ///< Box beyond which a particle is lost [m].
+    Vector up_ = Vector::Zero();                          ///< Against gravity; zero without a floor.
+    Real floor_ = -std::numeric_limits<Real>::infinity(); ///< Height of the lowest wall less a spacing: what is lower has left [m].
     CellGrid sortGrid_;
     Field<int> order_;              ///< Scratch of sortAndCheck().
     std::int64_t escaped_ = 0;      ///< Of this rank.
