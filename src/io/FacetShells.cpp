@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/Log.h"
+#include "core/OnceLog.h"
 
 namespace mpsDem {
 
@@ -43,6 +43,7 @@ public:
         findNeighbours(closed);
         findShells();
         for (Shell& shell : shells_) settle(shell, closed);
+        requireOneWinding();
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
             if (turned_[t] == 1) std::swap(mesh_.triangles[t][1], mesh_.triangles[t][2]);
         tell();
@@ -169,14 +170,19 @@ private:
 
     void tell() const
     {
-        if (mixed_ > 0)
-            info() << "Surface \"" << name_ << "\": " << mixed_ << " of " << mesh_.triangles.size()
-                   << " facets turned to agree with the others, the first one facet " << mesh_.facet[at(firstMixed_)] + 1 << " of "
-                   << soup_.file.file << '\n';
         if (inward_ > 0)
-            info() << "Surface \"" << name_ << "\": " << inward_ << " of " << shells_.size()
-                   << " shells had their normals on the inside and are turned, the first one that of facet "
-                   << mesh_.facet[at(firstInward_)] + 1 << " of " << soup_.file.file << '\n';
+            infoOnce("Surface \"" + name_ + "\": " + std::to_string(inward_) + " of " + std::to_string(shells_.size()) +
+                     " shells had their normals on the inside and are turned, the first one that of facet " +
+                     std::to_string(mesh_.facet[at(firstInward_)] + 1) + " of " + soup_.file.file);
+    }
+
+    /// Which side was meant is not known where neighbours disagree.
+    void requireOneWinding() const
+    {
+        require(mixed_ == 0, place(firstMixed_),
+                "surface \"" + name_ + "\": " + std::to_string(mixed_) + " of " + std::to_string(mesh_.triangles.size()) +
+                    " facets wind the other way than their neighbours, the first one " + facetText(firstMixed_),
+                "facets that all wind one way: a mesh tool calls it to unify or to orient normals");
     }
 
     /// 1 within a closed shell, 0 outside: the sum of the solid angles of its triangles over 4 pi (van Oosterom and Strackee 1983).

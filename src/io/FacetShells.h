@@ -39,7 +39,7 @@ struct FacetMesh
     [[nodiscard]] Vector middle(Side const& side) const;
 };
 
-/// Turns the triangles to agree within each connected piece; with `closed`, outwards. See joinFacets() for what is refused.
+/// Refuses triangles that do not agree within a connected piece; with `closed`, turns shells outwards. See joinFacets() for what is refused.
 void orientFacets(FacetMesh& mesh, FacetSoup const& soup, bool closed, std::string const& name);
 
 /// "(1 2.5 0)".

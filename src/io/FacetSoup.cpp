@@ -4,7 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/Log.h"
+#include "core/OnceLog.h"
+#include "io/FacetCrossings.h"
 #include "io/FacetShells.h"
 
 namespace mpsDem {
@@ -74,6 +75,7 @@ public:
         tell(collapsed_, "without area left out or joined to their neighbours");
         tell(repeated_, "given twice left out");
         orientFacets(mesh_, soup_, skin == Skin::Closed, name_);
+        if (skin == Skin::Closed) requireNoCrossing(mesh_, soup_, name_, flatness * extent_);
         try
         {
             return TriSurface(name_, mesh_.points, mesh_.triangles);
@@ -98,8 +100,8 @@ private:
     void tell(Count const& count, std::string const& what) const
     {
         if (count.number == 0) return;
-        info() << "Surface \"" << name_ << "\": " << count.number << " of " << soup_.facets.size() << " facets " << what
-               << ", the first one facet " << count.first + 1 << " of " << soup_.file.file << '\n';
+        infoOnce("Surface \"" + name_ + "\": " + std::to_string(count.number) + " of " + std::to_string(soup_.facets.size()) + " facets " +
+                 what + ", the first one facet " + std::to_string(count.first + 1) + " of " + soup_.file.file);
     }
 
     void requireFacets() const

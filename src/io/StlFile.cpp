@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "core/Log.h"
+#include "core/OnceLog.h"
 #include "io/OutputFile.h"
 #include "io/StlText.h"
 
@@ -76,13 +76,13 @@ void checkUnit(TriSurface const& surface, StlOptions const& options, Location co
     Real const extent = (surface.high() - surface.low()).maxCoeff() / options.spacing;
     std::string const self = where.str() + ": surface \"" + surface.name() + "\" ";
     std::string const measures = "measures " + shortNumber(extent * options.spacing, 3) + " m, " + shortNumber(extent, 3) + " spacings";
-    if (extent > mostSpacings) warn(self + measures + ": are its numbers millimetres (scale 0.001)?");
-    if (extent < fewestSpacings) warn(self + measures + ": are its numbers of another unit (scale)?");
+    if (extent > mostSpacings) warnOnce(self + measures + ": are its numbers millimetres (scale 0.001)?");
+    if (extent < fewestSpacings) warnOnce(self + measures + ": are its numbers of another unit (scale)?");
     Real const largest = std::max(surface.low().cwiseAbs().maxCoeff(), surface.high().cwiseAbs().maxCoeff());
     Real const digit = std::ldexp(largest, -24);
     if (floats && digit > 0.01 * options.spacing)
-        warn(self + "lies " + shortNumber(largest, 3) + " m from the origin, where a binary file keeps no more than " +
-             shortNumber(digit, 2) + " m: move it before it is exported, or write ASCII");
+        warnOnce(self + "lies " + shortNumber(largest, 3) + " m from the origin, where a binary file keeps no more than " +
+                 shortNumber(digit, 2) + " m: move it before it is exported, or write ASCII");
 }
 
 void put(std::string& bytes, Vector const& v)

@@ -12,6 +12,7 @@
 #include "scene/BodyReader.h"
 #include "scene/InitialChecks.h"
 #include "scene/SizeEstimate.h"
+#include "scene/WallChecks.h"
 
 namespace mpsDem {
 
@@ -104,6 +105,7 @@ void reportFluid(std::ostream& out, SceneDefinition const& definition, InitialSc
     if (std::abs(error) > 5)
         problem << "the volume of the fluid particles differs from that of the geometry by " << error << " %; a smaller spacing reduces it";
     if (!problem.str().empty()) warn(problem.str());
+    for (std::string const& finding : doubtfulWalls(definition, scene)) warn(finding);
     if (close.crowded > 0) warn(std::to_string(close.crowded) + " fluid particles have another particle nearer than half a spacing");
 }
 

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/Errors.h"
+#include "core/OnceLog.h"
 #include "io/StlFile.h"
 #include "support/TemporaryFolder.h"
 
@@ -80,6 +81,7 @@ protected:
     /// What the log says while a surface is read.
     std::string notesOf(std::string const& bytes, StlOptions const& options = {})
     {
+        forgetShown();
         ::testing::internal::CaptureStdout();
         ::testing::internal::CaptureStderr();
         static_cast<void>(read(bytes, options));

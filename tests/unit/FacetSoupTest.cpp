@@ -1,3 +1,4 @@
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -6,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/Errors.h"
+#include "support/Measured.h"
 #include "support/StlSample.h"
 
 namespace mpsDem {
@@ -87,16 +89,43 @@ TEST_F(FacetSoupJoining, EdgesOfMoreThanTwoFacetsAreRefused)
     expectRefused(binaryOf(facets), "the edge at (0.5 0 0) m belongs to 3 facets");
 }
 
-TEST_F(FacetSoupJoining, MixedWindingsAreTurnedToAgreeWithANote)
+TEST_F(FacetSoupJoining, MixedWindingsAreRefused)
 {
     Facets facets = boxFacets();
     for (std::size_t const k : {1, 6, 7}) std::swap(facets[k][0], facets[k][2]);
-    std::string const notes = notesOf(binaryOf(facets));
-    EXPECT_NE(notes.find("3 of 12 facets turned to agree with the others, the first one facet 2"), std::string::npos) << notes;
-    EXPECT_NEAR(read(binaryOf(facets)).volume(), 6, 1e-12);
-    for (auto& facet : facets) std::swap(facet[0], facet[2]); // now most of them face inwards
-    EXPECT_NEAR(read(binaryOf(facets)).volume(), -6, 1e-12) << "the majority decides for a wall";
+    expectRefused(binaryOf(facets), "3 of 12 facets wind the other way than their neighbours, the first one facet 2");
+    expectRefused(textOf(facets), "3 of 12 facets wind the other way", Skin::Closed, 9);
+    for (std::size_t k = 0; k < facets.size(); ++k)
+        if (k != 1 && k != 6 && k != 7) std::swap(facets[k][0], facets[k][2]);
+    EXPECT_NEAR(read(binaryOf(facets)).volume(), -6, 1e-12);
     EXPECT_NEAR(readClosed(binaryOf(facets)).volume(), 6, 1e-12);
+}
+
+TEST_F(FacetSoupJoining, SkinsThatCutThroughThemselvesAreRefused)
+{
+    Facets two = boxFacets({0, 0, 0}, {1, 1, 1}), other = boxFacets({0.5, 0.25, 0.3}, {1.5, 1.25, 1.3});
+    two.insert(two.end(), other.begin(), other.end());
+    expectRefused(binaryOf(two), " cut through each other at (", Skin::Closed);
+    EXPECT_NO_THROW(static_cast<void>(read(binaryOf(two)))) << "walls may cut each other";
+    Facets touching = boxFacets({0, 0, 0}, {1, 1, 1});
+    other = boxFacets({0.25, 1, 0.125}, {1.5, 2, 0.5});
+    touching.insert(touching.end(), other.begin(), other.end());
+    EXPECT_NEAR(readClosed(binaryOf(touching)).volume(), 1 + 1.25 * 0.375, 1e-6) << "solids may stand on each other";
+    Facets twisted = boxFacets({0, 0, 0}, {1, 1, 1});
+    for (auto& facet : twisted)
+        for (Vector& r : facet)
+            if (r.z() > 0.5) r = {1 - r.x(), 1 - r.y(), r.z()};
+    EXPECT_THROW(static_cast<void>(readClosed(binaryOf(twisted))), CaseError);
+}
+
+TEST_F(FacetSoupJoining, AHundredThousandFacetsAreSearchedForCutsInTwoSeconds)
+{
+    Facets const ball = facetsOf(TriSurface::sphere("ball", {0, 0, 0}, 1, 0.0155));
+    expectBetween("facets", static_cast<Real>(ball.size()), 5e4, 5e5);
+    auto const start = std::chrono::steady_clock::now();
+    EXPECT_TRUE(readClosed(binaryOf(ball)).closed());
+    std::chrono::duration<Real> const time = std::chrono::steady_clock::now() - start;
+    expectBelow("time to read, join and search 1e5 facets [s]", time.count() * 1e5 / static_cast<Real>(ball.size()), 2);
 }
 
 TEST_F(FacetSoupJoining, BodiesInsideOutAreTurnedWithANoteAndWallsAreNot)
