@@ -74,8 +74,8 @@ public:
         requireFacets();
         tell(collapsed_, "without area left out or joined to their neighbours");
         tell(repeated_, "given twice left out");
-        orientFacets(mesh_, soup_, skin == Skin::Closed, name_);
-        if (skin == Skin::Closed) requireNoCrossing(mesh_, soup_, name_, flatness * extent_);
+        orientFacets(mesh_, soup_, skin != Skin::Open, name_);
+        if (skin == Skin::Body) requireNoCrossing(mesh_, soup_, name_, flatness * extent_);
         try
         {
             return TriSurface(name_, mesh_.points, mesh_.triangles);

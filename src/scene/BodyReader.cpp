@@ -103,7 +103,7 @@ std::unique_ptr<Shape> makeSphere(Dictionary const& dict, GeometryContext const&
 std::unique_ptr<Shape> makeSurfaceFile(Dictionary const& dict, GeometryContext const& context)
 {
     auto shape = std::make_unique<Shape>();
-    shape->make = [surface = readSurfaceFile(dict, context.root, dict.get<std::string>("file"), Skin::Closed, context.lattice.spacing)](
+    shape->make = [surface = readSurfaceFile(dict, context.root, dict.get<std::string>("file"), Skin::Body, context.lattice.spacing)](
                       std::string const& name) { return Surface(surface.renamed(name)); };
     return shape;
 }

@@ -105,17 +105,17 @@ TEST_F(FacetSoupJoining, SkinsThatCutThroughThemselvesAreRefused)
 {
     Facets two = boxFacets({0, 0, 0}, {1, 1, 1}), other = boxFacets({0.5, 0.25, 0.3}, {1.5, 1.25, 1.3});
     two.insert(two.end(), other.begin(), other.end());
-    expectRefused(binaryOf(two), " cut through each other at (", Skin::Closed);
+    expectRefused(binaryOf(two), " cut through each other at (", Skin::Body);
     EXPECT_NO_THROW(static_cast<void>(read(binaryOf(two)))) << "walls may cut each other";
     Facets touching = boxFacets({0, 0, 0}, {1, 1, 1});
     other = boxFacets({0.25, 1, 0.125}, {1.5, 2, 0.5});
     touching.insert(touching.end(), other.begin(), other.end());
-    EXPECT_NEAR(readClosed(binaryOf(touching)).volume(), 1 + 1.25 * 0.375, 1e-6) << "solids may stand on each other";
+    EXPECT_NEAR(read(binaryOf(touching), {1, Skin::Body, 0}).volume(), 1 + 1.25 * 0.375, 1e-6) << "solids may stand on each other";
     Facets twisted = boxFacets({0, 0, 0}, {1, 1, 1});
     for (auto& facet : twisted)
         for (Vector& r : facet)
             if (r.z() > 0.5) r = {1 - r.x(), 1 - r.y(), r.z()};
-    EXPECT_THROW(static_cast<void>(readClosed(binaryOf(twisted))), CaseError);
+    EXPECT_THROW(static_cast<void>(read(binaryOf(twisted), {1, Skin::Body, 0})), CaseError);
 }
 
 TEST_F(FacetSoupJoining, AHundredThousandFacetsAreSearchedForCutsInTwoSeconds)
@@ -123,7 +123,7 @@ TEST_F(FacetSoupJoining, AHundredThousandFacetsAreSearchedForCutsInTwoSeconds)
     Facets const ball = facetsOf(TriSurface::sphere("ball", {0, 0, 0}, 1, 0.0155));
     expectBetween("facets", static_cast<Real>(ball.size()), 5e4, 5e5);
     auto const start = std::chrono::steady_clock::now();
-    EXPECT_TRUE(readClosed(binaryOf(ball)).closed());
+    EXPECT_TRUE(read(binaryOf(ball), {1, Skin::Body, 0}).closed());
     std::chrono::duration<Real> const time = std::chrono::steady_clock::now() - start;
     expectBelow("time to read, join and search 1e5 facets [s]", time.count() * 1e5 / static_cast<Real>(ball.size()), 2);
 }

@@ -307,10 +307,12 @@ TEST_F(SpaceRegions, RastersOfHeightsAreSurfacesToo)
     auto const read = [&](std::string const& keys) {
         return readSurfaceFile(Dictionary::fromText("file \"bed.ASC\"; " + keys), folder_.path(), "bed", Skin::Open, 0);
     };
-    EXPECT_EQ(read("up z;").low(), Vector(100, 200, 1));
+    // The cells reach half a cell beyond their middles, and so does the surface, in a line with the outermost two heights.
+    EXPECT_EQ(read("up z;").low(), Vector(95, 195, -1));
+    EXPECT_EQ(read("up z;").high(), Vector(125, 215, 8));
     TriSurface const bed = read("origin (100 200 0); scale 0.1; up y;");
-    EXPECT_NEAR((bed.high() - Vector(2, 0.6, 0)).norm(), 0, 1e-15);
-    EXPECT_NEAR((bed.low() - Vector(0, 0.1, -1)).norm(), 0, 1e-15);
+    EXPECT_NEAR((bed.high() - Vector(2.5, 0.8, 0.5)).norm(), 0, 1e-15);
+    EXPECT_NEAR((bed.low() - Vector(-0.5, -0.1, -1.5)).norm(), 0, 1e-15);
     EXPECT_THROW(read("every 0;"), CaseError);
     EXPECT_THROW(read("up x;"), CaseError);
 }
