@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "boundaries/TriangleBoxes.h"
+#include "core/TriangleBoxes.h"
 
 namespace mpsDem {
 

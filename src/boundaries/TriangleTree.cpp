@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "boundaries/JoinedSurfaces.h"
-#include "boundaries/TriangleBoxes.h"
 #include "core/Errors.h"
+#include "core/TriangleBoxes.h"
 
 namespace mpsDem {
 

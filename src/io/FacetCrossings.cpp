@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
+
+#include "core/TriangleBoxes.h"
 
 namespace mpsDem {
 
@@ -63,91 +65,24 @@ std::optional<Vector> cut(Corners const& a, Corners const& b, Real tolerance)
     return std::nullopt;
 }
 
-/// Boxes of all triangles in a tree.
-class BoxTree
+Corners cornersOf(FacetMesh const& mesh, int t)
 {
-public:
-    explicit BoxTree(FacetMesh const& mesh) : mesh_(mesh), order_(mesh.triangles.size())
+    TriSurface::Corners const& c = mesh.triangles[at(t)];
+    return {mesh.points[at(c[0])], mesh.points[at(c[1])], mesh.points[at(c[2])]};
+}
+
+TriangleBoxes boxesOf(FacetMesh const& mesh)
+{
+    std::vector<TriangleBoxes::Triangle> triangles;
+    triangles.reserve(mesh.triangles.size());
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
     {
-        std::iota(order_.begin(), order_.end(), 0);
-        nodes_.reserve(2 * order_.size());
-        build(0, static_cast<int>(order_.size()));
+        Corners const c = cornersOf(mesh, t);
+        Vector const ab = c[1] - c[0], ac = c[2] - c[0];
+        triangles.push_back({c[0], ab, ac, ab.cross(ac).normalized(), t});
     }
-
-    [[nodiscard]] Corners corners(int t) const
-    {
-        TriSurface::Corners const& c = mesh_.triangles[at(t)];
-        return {mesh_.points[at(c[0])], mesh_.points[at(c[1])], mesh_.points[at(c[2])]};
-    }
-
-    /// Calls visit(other) for triangles with a higher number whose boxes meet that of t.
-    template <class Visit>
-    void forEachNear(int t, Visit visit) const
-    {
-        auto const [low, high] = box(t);
-        std::vector<int> next{0};
-        while (!next.empty())
-        {
-            int const self = next.back();
-            Node const& node = nodes_[at(self)];
-            next.pop_back();
-            if ((node.low.array() > high.array()).any() || (node.high.array() < low.array()).any()) continue;
-            if (node.right < 0)
-            {
-                for (int i = node.first; i < node.last; ++i)
-                    if (order_[at(i)] > t) visit(order_[at(i)]);
-                continue;
-            }
-            next.push_back(node.right);
-            next.push_back(self + 1);
-        }
-    }
-
-private:
-    struct Node
-    {
-        Vector low, high;
-        int first, last; ///< Triangles of a leaf.
-        int right;       ///< Second child; -1 for a leaf. The first one follows its parent.
-    };
-
-    [[nodiscard]] std::pair<Vector, Vector> box(int t) const
-    {
-        Corners const c = corners(t);
-        return {c[0].cwiseMin(c[1]).cwiseMin(c[2]), c[0].cwiseMax(c[1]).cwiseMax(c[2])};
-    }
-
-    int build(int first, int last)
-    {
-        int const self = static_cast<int>(nodes_.size());
-        auto [low, high] = box(order_[at(first)]);
-        for (int i = first + 1; i < last; ++i)
-        {
-            auto const [l, h] = box(order_[at(i)]);
-            low = low.cwiseMin(l);
-            high = high.cwiseMax(h);
-        }
-        nodes_.push_back({low, high, first, last, -1});
-        if (last - first <= 4) return self;
-        Eigen::Index axis;
-        (high - low).maxCoeff(&axis);
-        auto const middle = [&](int t) {
-            auto const [l, h] = box(t);
-            return std::pair(l[axis] + h[axis], t);
-        };
-        int const half = first + (last - first) / 2;
-        std::nth_element(order_.begin() + first, order_.begin() + half, order_.begin() + last,
-                         [&](int s, int t) { return middle(s) < middle(t); });
-        build(first, half);
-        int const right = build(half, last);
-        nodes_[at(self)].right = right;
-        return self;
-    }
-
-    FacetMesh const& mesh_;
-    std::vector<int> order_;
-    std::vector<Node> nodes_;
-};
+    return {std::move(triangles), 0};
+}
 
 bool share(TriSurface::Corners const& a, TriSurface::Corners const& b)
 {
@@ -158,14 +93,15 @@ bool share(TriSurface::Corners const& a, TriSurface::Corners const& b)
 
 void requireNoCrossing(FacetMesh const& mesh, FacetSoup const& soup, std::string const& name, Real tolerance)
 {
-    BoxTree const tree(mesh);
+    TriangleBoxes const boxes = boxesOf(mesh);
     for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
     {
+        Corners const own = cornersOf(mesh, t);
         int found = -1;
         Vector place = Vector::Zero();
-        tree.forEachNear(t, [&](int other) {
-            if ((found >= 0 && other > found) || share(mesh.triangles[at(t)], mesh.triangles[at(other)])) return;
-            auto const middle = cut(tree.corners(t), tree.corners(other), tolerance);
+        boxes.forEachInBox(own[0].cwiseMin(own[1]).cwiseMin(own[2]), own[0].cwiseMax(own[1]).cwiseMax(own[2]), [&](int other) {
+            if (other <= t || (found >= 0 && other > found) || share(mesh.triangles[at(t)], mesh.triangles[at(other)])) return;
+            auto const middle = cut(own, cornersOf(mesh, other), tolerance);
             if (!middle) return;
             found = other;
             place = *middle;

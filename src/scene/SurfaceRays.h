@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "boundaries/TriangleBoxes.h"
 #include "core/Surface.h"
+#include "core/TriangleBoxes.h"
 
 namespace mpsDem {
 

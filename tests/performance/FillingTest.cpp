@@ -5,15 +5,10 @@
 #include <string>
 
 #include "io/StlFile.h"
+#include "support/Optimised.h"
 #include "support/RunCase.h"
 
 namespace mpsDem::test {
-
-#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
-constexpr bool optimised = true;
-#else
-constexpr bool optimised = false;
-#endif
 
 // A ball of water of 20 480 triangles, 1 m across, cut by the floor and two walls of a box: region, cut cells, walls and files.
 TEST(FillingGate, setsAMillionParticlesWithinAClosedStlSurface)

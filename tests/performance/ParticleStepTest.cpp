@@ -8,17 +8,12 @@
 #include <string>
 
 #include "core/Timers.h"
+#include "support/Optimised.h"
 #include "support/RunCase.h"
 
 namespace mpsDem::test {
 
 namespace {
-
-#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
-constexpr bool optimised = true;
-#else
-constexpr bool optimised = false;
-#endif
 
 double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 

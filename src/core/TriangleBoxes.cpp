@@ -1,4 +1,4 @@
-#include "boundaries/TriangleBoxes.h"
+#include "core/TriangleBoxes.h"
 
 #include <algorithm>
 #include <cmath>
