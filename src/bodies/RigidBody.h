@@ -47,6 +47,7 @@ public:
 
     // Loads, each set by its owner. Contact ones are reset by whoever adds to them, every sub-step.
     Load fluid;             ///< Eqs 15-16, constant during a fluid step.
+    Load collision;         ///< Impulse [N s, N m s] of fluid particles that struck it in the last step; part of `fluid` in the next.
     Load contactNormal;     ///< Normal part of eq 11 of this sub-step.
     Load contactTangential; ///< Eq 12 of this sub-step.
 
@@ -108,7 +109,7 @@ public:
 
     /// What a fluid step changes: pose; motion; added mass; loads and their means; release and latch. For a step that is taken again.
     using Snapshot = std::tuple<Vector, Quaternion, Tensor, Vector, Vector, Vector, Vector, Matrix6, Vector6, Load, Load, Load, Load, Load,
-                                Load, Load, bool, Vector, Vector, bool>;
+                                Load, Load, Load, bool, Vector, Vector, bool>;
     [[nodiscard]] Snapshot snapshot() const;
     void restore(Snapshot const& snapshot);
 

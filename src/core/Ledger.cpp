@@ -11,7 +11,7 @@ namespace {
 
 /// Entries that every saved state has.
 constexpr std::array stageEnergies{"energy/collision", "energy/contactDissipated", "energy/contactStored", "energy/latch", "energy/walls"};
-constexpr std::array stageImpulses{"impulse/contactAndSupport", "impulse/gravityOnBodies"};
+constexpr std::array stageImpulses{"impulse/collisionWithWalls", "impulse/contactAndSupport", "impulse/gravityOnBodies"};
 /// Entries that exist only while an observer asks for them.
 constexpr std::array observerImpulses{"impulse/gravityOnFluid", "impulse/walls"};
 

@@ -19,11 +19,34 @@ Collision::Collision(Dictionary const& dict, SchemeSet set, Lattice const& latti
       surfaceDistance_(lattice.spacing * dict.getInRangeOr("surfaceDistance", set == SchemeSet::Paper ? 0.5 : 0.8, 0, 1)),
       restitution_(dict.getInRangeOr("restitution", 0.2, 0, 1)),
       particleMass_(density * lattice.particleVolume()),
-      alongNormal_(dict.getWordOr("walls", "centres", {"centres", "normal"}, "directions of collisions with walls") == "normal"),
-      dissipated_(ledger.energy("energy/collision"))
+      alongNormal_(dict.getWordOr("walls", set == SchemeSet::Waves ? "normal" : "centres", {"centres", "normal"},
+                                  "directions of collisions with walls") == "normal"),
+      dissipated_(ledger.energy("energy/collision")),
+      wallImpulse_(ledger.impulse("impulse/collisionWithWalls"))
 {}
 
-Vector Collision::changeOf(ParticleSet const& particles, NeighbourList const& neighbours, int i) const
+void Collision::clearReactions(ParticleSet const& particles)
+{
+    fromWalls_.setZero();
+    int last = static_cast<int>(reactions_.size()) - 1;
+    for (int j : particles.boundary()) last = std::max(last, particles.body[j]);
+    reactions_.assign(static_cast<std::size_t>(last + 1), Impulse{});
+}
+
+void Collision::note(ParticleSet const& particles, PeriodicImages const& images, int j, Vector const& du)
+{
+    int const original = images.source(particles, j);
+    if (particles.body[original] < 0)
+    {
+        fromWalls_ += particleMass_ * du;
+        return;
+    }
+    Impulse& impulse = reactions_[static_cast<std::size_t>(particles.body[original])];
+    impulse.linear -= particleMass_ * du;
+    impulse.moment -= particleMass_ * particles.r[original].cross(du);
+}
+
+Vector Collision::changeOf(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images, int i)
 {
     Real const widest = std::max(distance_, surfaceDistance_);
     auto const atSurface = [&](int k) { return particles.surface[k] != SurfaceLabel::Interior; };
@@ -41,20 +64,27 @@ Vector Collision::changeOf(ParticleSet const& particles, NeighbourList const& ne
         {
             Vector const& normal = particles.normal[j];
             Real const approach = (particles.u[j] - particles.u[i] - fromPlanes).dot(normal);
-            if (approach > 0) fromPlanes += (1 + restitution_) * approach * normal;
+            if (approach <= 0) continue;
+            Vector const du = (1 + restitution_) * approach * normal;
+            fromPlanes += du;
+            note(particles, images, j, du);
             continue;
         }
         Real const approach = (particles.u[i] - particles.u[j]).dot(rij);
-        if (approach > 0) change -= (1 + restitution_) * (wall ? 1.0 : 0.5) * approach / (r2 + tiny) * rij;
+        if (approach <= 0) continue;
+        Vector const du = -(1 + restitution_) * (wall ? 1.0 : 0.5) * approach / (r2 + tiny) * rij;
+        change += du;
+        if (wall) note(particles, images, j, du);
     }
     return change + fromPlanes;
 }
 
-void Collision::apply(ParticleSet& particles, NeighbourList const& neighbours, Real dt)
+void Collision::apply(ParticleSet& particles, NeighbourList const& neighbours, PeriodicImages const& images, Real dt)
 {
+    clearReactions(particles);
     change_.reserve(particles.r.capacity()); // the halo grows now and then
     change_.assign(particles.r.size(), Vector::Zero());
-    for (int i : particles.fluid()) change_[i] = changeOf(particles, neighbours, i);
+    for (int i : particles.fluid()) change_[i] = changeOf(particles, neighbours, images, i);
     Real gained = 0;
     for (int i : particles.fluid())
     {
@@ -64,6 +94,8 @@ void Collision::apply(ParticleSet& particles, NeighbourList const& neighbours, R
         particles.r[i] += dt * du;
     }
     dissipated_ -= sumOverRanks(gained);
+    wallImpulse_ += sumOverRanks(fromWalls_);
+    for (Impulse& impulse : reactions_) impulse = {sumOverRanks(impulse.linear), sumOverRanks(impulse.moment)};
 }
 
 } // namespace mpsDem

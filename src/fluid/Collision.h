@@ -1,10 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "core/Ledger.h"
 #include "particles/NeighbourList.h"
 #include "particles/ParticleSet.h"
+#include "particles/PeriodicImages.h"
 #include "particles/SchemeSet.h"
 
 namespace mpsDem {
@@ -14,6 +17,8 @@ namespace mpsDem {
 /// For each approaching pair with r < c dx the normal velocity is reversed with restitution e; fluid pairs share the impulse (linear
 /// momentum is conserved), a wall has infinite mass:
 /// \f[ \Delta\mathbf u_i = -(1+e)\frac{m_r}{m} v_n \hat{\mathbf r}_{ij},\quad v_n = (\mathbf u_i-\mathbf u_j)\cdot\hat{\mathbf r}_{ij} > 0 \f]
+/// The opposite of what the fluid gets from the particles of a body is the body's (reactions()); fixed walls keep theirs in the ledger.
+///
 /// c is `surfaceDistance` where one of the two is at or near the free surface or is a wall, else `distance`.
 ///
 /// With `walls centres` a particle also meets the particles of a wall along the line of centres: a row of balls, which brakes water that
@@ -24,7 +29,7 @@ namespace mpsDem {
 /// | distance | c in the interior | spacings | 0.5 | 0..1 |
 /// | surfaceDistance | c at surface and walls | spacings | 0.8, 0.5 | 0..1 |
 /// | restitution | e | - | 0.2 | 0..1 |
-/// | walls | direction of collisions with walls: centres or normal | - | centres | |
+/// | walls | direction of collisions with walls: centres or normal | - | centres; set `waves`: normal | |
 class Collision
 {
 public:
@@ -32,18 +37,33 @@ public:
     static std::unique_ptr<Collision> read(Dictionary const& collisionSchemes, SchemeSet set, Lattice const& lattice, Real density,
                                            Ledger& ledger);
 
-    /// Changes u and r (by dt du) of the fluid after it has moved; adds the kinetic energy taken to the ledger.
-    void apply(ParticleSet& particles, NeighbourList const& neighbours, Real dt);
+    /// Changes u and r (by dt du) of the fluid after it has moved; adds the kinetic energy taken, and the impulse of fixed walls, to the ledger.
+    void apply(ParticleSet& particles, NeighbourList const& neighbours, PeriodicImages const& images, Real dt);
+
+    /// What a body gets in a step.
+    struct Impulse
+    {
+        Vector linear = Vector::Zero(); ///< [N s].
+        Vector moment = Vector::Zero(); ///< About the origin [N m s].
+    };
+    /// Of this step, by number of the body.
+    [[nodiscard]] std::span<Impulse const> reactions() const { return reactions_; }
 
 private:
     Collision(Dictionary const& dict, SchemeSet set, Lattice const& lattice, Real density, Ledger& ledger);
 
-    /// Change of the velocity of fluid particle i by all particles close to it [m/s].
-    Vector changeOf(ParticleSet const& particles, NeighbourList const& neighbours, int i) const;
+    /// Change of the velocity of fluid particle i by all particles close to it [m/s]; notes what walls and bodies get.
+    Vector changeOf(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images, int i);
+    /// Fluid gets `du` [m/s] from boundary particle j.
+    void note(ParticleSet const& particles, PeriodicImages const& images, int j, Vector const& du);
+    void clearReactions(ParticleSet const& particles);
 
     Real distance_, surfaceDistance_, restitution_, particleMass_;
     bool alongNormal_; ///< `walls normal`.
     Real& dissipated_;
+    Vector& wallImpulse_; ///< Of fixed walls on the fluid, in the ledger [N s].
+    Vector fromWalls_ = Vector::Zero();
+    std::vector<Impulse> reactions_;
     Field<Vector> change_;
 };
 

@@ -17,7 +17,8 @@ Fluid::Fluid(Dictionary const& schemes, SchemeSet set, Lattice const& lattice, R
       collision_(Collision::read(schemes.subDictOrEmpty("collisionSchemes"), set, lattice, density, ledger)),
       shifting_(Shifting::read(schemes.subDictOrEmpty("shiftingSchemes"), set, lattice)),
       surfaceDamping_(SurfaceDamping::read(schemes.subDictOrEmpty("freeSurfaceSchemes"), set, lattice, radii.gradient, gravity.norm())),
-      velocityDamping_(VelocityDamping::read(schemes.subDictOrEmpty("velocityDamping"), lattice, gradientConstants_.n0, gravity.norm()))
+      velocityDamping_(
+          VelocityDamping::read(schemes.subDictOrEmpty("velocityDamping"), set, lattice, gradientConstants_.n0, gravity.norm()))
 {
     Dictionary const limiters = schemes.subDictOrEmpty("limiters");
     displacementLimit_ = lattice.spacing * limiters.getInRangeOr("displacement", set == SchemeSet::Paper ? 0 : 0.1, 0, 1);
@@ -72,9 +73,9 @@ void Fluid::correct(ParticleSet& particles, NeighbourList const& neighbours, Rea
     limited_ += limitedNow_;
 }
 
-void Fluid::collide(ParticleSet& particles, NeighbourList const& neighbours, Real dt)
+void Fluid::collide(ParticleSet& particles, NeighbourList const& neighbours, PeriodicImages const& images, Real dt)
 {
-    if (collision_) collision_->apply(particles, neighbours, dt);
+    if (collision_) collision_->apply(particles, neighbours, images, dt);
 }
 
 } // namespace mpsDem

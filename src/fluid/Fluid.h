@@ -56,7 +56,7 @@ public:
     void correct(ParticleSet& particles, NeighbourList const& neighbours, Real dt);
 
     /// Particle collision, where the case has it.
-    void collide(ParticleSet& particles, NeighbourList const& neighbours, Real dt);
+    void collide(ParticleSet& particles, NeighbourList const& neighbours, PeriodicImages const& images, Real dt);
 
     /// Times that the displacement limit was needed, since the start of this run and in the last step, over all ranks.
     [[nodiscard]] std::int64_t limited() const { return sumOverRanks(limited_); }

@@ -15,9 +15,11 @@ constexpr Real largestShare = 0.5;
 
 } // namespace
 
-std::unique_ptr<VelocityDamping> VelocityDamping::read(Dictionary const& velocityDamping, Lattice const& lattice, Real n0, Real gravity)
+std::unique_ptr<VelocityDamping> VelocityDamping::read(Dictionary const& velocityDamping, SchemeSet set, Lattice const& lattice, Real n0,
+                                                       Real gravity)
 {
-    std::string const type = velocityDamping.getWordOr("type", "none", {"deviation", "none"}, "dampings of velocity");
+    std::string const type =
+        velocityDamping.getWordOr("type", set == SchemeSet::Waves ? "deviation" : "none", {"deviation", "none"}, "dampings of velocity");
     Real const coefficient = velocityDamping.getInRangeOr("coefficient", 1, 0, 10);
     if (type == "none" || coefficient <= 0 || gravity <= 0) return nullptr;
     Real const rate = coefficient * std::sqrt(std::numbers::pi * gravity / lattice.spacing);

@@ -8,6 +8,7 @@
 #include "particles/ParticleSet.h"
 #include "particles/PeriodicImages.h"
 #include "particles/ReferenceConstants.h"
+#include "particles/SchemeSet.h"
 
 namespace mpsDem {
 
@@ -20,15 +21,16 @@ namespace mpsDem {
 /// spacings loses of the order of (2 pi/n)^4 of what it would lose to a viscosity. Momentum is conserved pair by pair. The rate is that of
 /// SurfaceDamping; without gravity nothing is done.
 ///
-/// | key | meaning | unit | default (standard, paper) | range |
-/// | type | deviation, none | - | none | - |
+/// | key | meaning | unit | default | range |
+/// | type | deviation, none | - | none; set `waves`: deviation | - |
 /// | coefficient | beta | - | 1 | 0..10 |
 class VelocityDamping
 {
 public:
     /// @param velocityDamping  The dictionary. @param n0  Of the gradient radius. @param gravity [m/s2].
     /// @return nothing where it is switched off or the case has no gravity.
-    static std::unique_ptr<VelocityDamping> read(Dictionary const& velocityDamping, Lattice const& lattice, Real n0, Real gravity);
+    static std::unique_ptr<VelocityDamping> read(Dictionary const& velocityDamping, SchemeSet set, Lattice const& lattice, Real n0,
+                                                 Real gravity);
 
     /// Adds to uStar of the fluid, from u. @param dt [s].
     void addTo(ParticleSet& particles, NeighbourList const& neighbours, PeriodicImages const& images, Real dt);

@@ -8,14 +8,20 @@ namespace mpsDem {
 enum class SchemeSet
 {
     Standard, ///< Hybrid corrected gradient, relaxation time, shifting, cone surface test.
+    Waves,    ///< Standard, with sources, damping and collisions for waves and for slides that make them; not for impacts.
     Paper     ///< The paper's own equations read literally.
 };
 
-/// Reads `schemeSet standard|paper;` (default standard).
+[[nodiscard]] inline char const* nameOf(SchemeSet set)
+{
+    return set == SchemeSet::Paper ? "paper" : set == SchemeSet::Waves ? "waves" : "standard";
+}
+
+/// Reads `schemeSet standard|waves|paper;` (default standard).
 inline SchemeSet readSchemeSet(Dictionary const& mpsSchemes)
 {
-    std::string const word = mpsSchemes.getWordOr("schemeSet", "standard", {"standard", "paper"}, "scheme sets");
-    return word == "paper" ? SchemeSet::Paper : SchemeSet::Standard;
+    std::string const word = mpsSchemes.getWordOr("schemeSet", "standard", {"standard", "waves", "paper"}, "scheme sets");
+    return word == "paper" ? SchemeSet::Paper : word == "waves" ? SchemeSet::Waves : SchemeSet::Standard;
 }
 
 } // namespace mpsDem

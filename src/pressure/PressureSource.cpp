@@ -9,19 +9,19 @@ namespace mpsDem {
 PressureSource::PressureSource(Dictionary const& dict, SchemeSet set, Lattice const& lattice, Real gradientRadius, Real density)
     : density_(density)
 {
-    bool const paper = set == SchemeSet::Paper;
+    bool const paper = set == SchemeSet::Paper, waves = set == SchemeSet::Waves;
     // In 3-D the number density of a disordered cloud lies below that of the lattice: it would be pressed together by one percent.
-    bool const spatial = !paper && lattice.dimensions == 3;
+    bool const corrected = waves || (!paper && lattice.dimensions == 3);
     std::string const type = dict.getWordOr("type", "mixed", {"mixed", "density", "divergence"}, "source schemes");
     type_ = type == "density" ? Type::Density : type == "divergence" ? Type::Divergence : Type::Mixed;
-    corrected_ = dict.getWordOr("divergence", spatial ? "corrected" : "plain", {"plain", "corrected"}, "forms of eq 5") == "corrected";
-    if (dict.getWordOr("density", spatial ? "smooth" : "number", {"number", "smooth"}, "measures of density") == "smooth")
+    corrected_ = dict.getWordOr("divergence", corrected ? "corrected" : "plain", {"plain", "corrected"}, "forms of eq 5") == "corrected";
+    if (dict.getWordOr("density", corrected ? "smooth" : "number", {"number", "smooth"}, "measures of density") == "smooth")
         smooth_.emplace(lattice, gradientRadius);
     char const* const idle = type_ == Type::Density && corrected_ ? "divergence" : type_ == Type::Divergence && smooth_ ? "density" : "";
     require(*idle == 0, dict.where(idle), "type " + type + " has no " + idle + " whose form could be chosen",
             "type mixed, or no such entry");
     bool const fixedGamma = dict.found("gamma") && !dict.found("relaxationTime");
-    relaxationTime_ = dict.getInRangeOr("relaxationTime", paper || fixedGamma ? 0 : 0.05, 0, 10);
+    relaxationTime_ = dict.getInRangeOr("relaxationTime", paper || fixedGamma ? 0 : waves ? 0.02 : 0.05, 0, 10);
     gamma_ = dict.getInRangeOr("gamma", 0.01, 0, 1);
     maxGamma_ = dict.getInRangeOr("maxGamma", 0.1, 0, 1);
     clip_ = dict.getInRangeOr("densityClip", 0, 0, 1);

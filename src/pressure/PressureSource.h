@@ -15,14 +15,14 @@ namespace mpsDem {
 /// On walls e = 0. With a relaxation time tau instead of gamma: gamma = min(dt/tau, maxGamma), so that density errors decay in the
 /// time tau whatever the time step, and the noise does not grow as dt falls.
 ///
-/// | key | meaning | unit | default (standard, paper) | range |
+/// | key | meaning | unit | default (standard and waves, paper) | range |
 /// | type | mixed, density (first term off), divergence (second term off, gamma = 0) | - | mixed | - |
-/// | relaxationTime | tau; 0: use gamma | s | 0.05, 0 | 0..10 |
+/// | relaxationTime | tau; 0: use gamma | s | 0.05 (waves: 0.02), 0 | 0..10 |
 /// | gamma | gamma where relaxationTime is 0 | - | 0.01 | 0..1 |
 /// | maxGamma | upper bound of dt/tau | - | 0.1 | 0..1 |
 /// | densityClip | bound of abs(e); 0: none. A clip of 0.02 leaves foam above the submarine wedge that never closes | - | 0 | 0..1 |
-/// | divergence | plain (eq 5), corrected (CorrectedDivergence.h) for fluid particles | - | plain; standard in 3-D: corrected | - |
-/// | density | number (e as above), smooth (SmoothDensity) for fluid particles that have no surface beside them | - | number; standard in 3-D: smooth | - |
+/// | divergence | plain (eq 5), corrected (CorrectedDivergence.h) for fluid particles | - | plain; waves, and standard in 3-D: corrected | - |
+/// | density | number (e as above), smooth (SmoothDensity) for fluid particles that have no surface beside them | - | number; waves, and standard in 3-D: smooth | - |
 /// | rampSteps | gamma grows from 0 over the first steps of a run from rest | - | 20, 0 | 0..1000 |
 class PressureSource
 {

@@ -156,7 +156,7 @@ void FluidStage::correct(Step const& step)
     {
         Timers::Scope const timer(Timers::stage(collisionTimer_));
         images_.update(particles_.u, particles_.halo());
-        fluid_.collide(particles_, neighbours_, step.dt);
+        fluid_.collide(particles_, neighbours_, images_, step.dt);
     }
     if (shiftTimer_ >= 0)
     {

@@ -12,7 +12,7 @@ std::string entryOf(std::optional<Dictionary> const& schemes, std::string const&
     Dictionary const all = schemes.value_or(Dictionary());
     Dictionary const dict = all.subDictOrEmpty(group);
     if (dict.found(key)) return "mpsSchemes/" + group + ": " + key + " " + dict.entryText(key);
-    return std::string("default of schemeSet ") + (readSchemeSet(all) == SchemeSet::Paper ? "paper" : "standard");
+    return std::string("default of schemeSet ") + nameOf(readSchemeSet(all));
 }
 
 /// "a, b, c".
@@ -45,7 +45,7 @@ void Scene::listEffects()
     effects_.add("redo of steps", guard_->redoes(),
                  on && !guard_->redoes() ? "adjustTimeStep no: steps are watched only"
                  : given                 ? std::string("controlDict/redoSteps: active ") + (on ? "yes" : "no")
-                                         : std::string("default of schemeSet ") + (on ? "standard" : "paper"));
+                         : "default of schemeSet " + std::string(nameOf(readSchemeSet(dicts_.schemes.value_or(Dictionary())))));
     bool const observed = observers_ && !observers_->empty();
     Dictionary const functions = dicts_.control.subDictOrEmpty("functions");
     effects_.add("function objects", observed,

@@ -57,6 +57,7 @@ void Scene::correctFluid(Step const& step)
     if (!fluid_) return;
     accumulateImpulse(step);
     fluid_->correct(step);
+    if (solids_ && fluid_->fluid().collision()) solids_->takeCollisions(fluid_->fluid().collision()->reactions(), step);
 }
 
 void Scene::accumulateImpulse(Step const& step)

@@ -64,6 +64,21 @@ void SolidStage::loadBodies(FluidStage& fluid, Step const& step)
         fluid.pressure().response(fluid.particles(), fluid.neighbours(), step, acceleration, pressure);
     };
     for (FluidBodyCoupling& coupling : couplings_) coupling.load(fluid.particles(), fluid.neighbours(), step, response);
+    for (auto const& body : bodies_)
+    {
+        body->fluid += 1 / step.dt * body->collision;
+        body->collision = {};
+    }
+}
+
+void SolidStage::takeCollisions(std::span<Collision::Impulse const> impulses, Step const& step)
+{
+    for (std::size_t k = 0; k < std::min(impulses.size(), bodies_.size()); ++k)
+    {
+        RigidBody& body = *bodies_[k];
+        Vector const centre = body.centre() - step.dt * body.velocity(); // where it was when the boundary particles were placed
+        body.collision = {impulses[k].linear, impulses[k].moment - centre.cross(impulses[k].linear)};
+    }
 }
 
 void SolidStage::advance(Step const& step)

@@ -31,7 +31,7 @@ StepGuard::StepGuard(Dictionary const& controlDict, SchemeSet set, bool adjustab
       density_(density)
 {
     Dictionary const dict = controlDict.subDictOrEmpty("redoSteps");
-    active_ = dict.getOr<bool>("active", set == SchemeSet::Standard);
+    active_ = dict.getOr<bool>("active", set != SchemeSet::Paper);
     largestRise_ = dict.getInRangeOr("energyRise", 0.001, 0, 1);
     largestLimited_ = dict.getInRangeOr("limited", 0.005, 0, 1);
     largestGain_ = dict.getInRangeOr("energyGain", 0.2, 0, 1e6);

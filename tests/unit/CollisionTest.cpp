@@ -9,8 +9,16 @@ namespace {
 
 constexpr Real spacing = 0.1;
 
-/// Velocity after collisions of a particle 0.6 spacings above the row of a wall along x, between two of its particles.
-Vector afterCollision(std::string const& walls, Vector const& velocity, Vector const& wallVelocity)
+/// What is left of a particle 0.6 spacings above the row of a wall along x, between two of its particles, and who got the rest.
+struct Outcome
+{
+    Vector velocity;         ///< Of the particle [m/s].
+    Collision::Impulse body; ///< Of the body that the wall belongs to.
+    Vector walls;            ///< Impulse of fixed walls on the fluid [N s].
+};
+
+/// @param body  Number of the body that the wall belongs to; -1: fixed.
+Outcome collide(std::string const& walls, Vector const& velocity, Vector const& wallVelocity, int body)
 {
     Lattice const lattice{2, spacing, 1};
     Field<Vector> const position{Vector(0, 0.6 * spacing, 0), Vector(-0.4 * spacing, 0, 0), Vector(0.4 * spacing, 0, 0)};
@@ -18,13 +26,20 @@ Vector afterCollision(std::string const& walls, Vector const& velocity, Vector c
     Vector const up = Vector::UnitY();
     ParticleSet particles(lattice);
     particles.assign(position, velocities, Field<Real>(3, 0), {ParticleType::Fluid, ParticleType::Wall, ParticleType::Wall},
-                     Field<int>(3, -1), {Vector::Zero(), up, up});
+                     {-1, body, body}, {Vector::Zero(), up, up});
     NeighbourList neighbours({0.21, 0.21}, false);
     neighbours.update(particles);
     Ledger ledger;
     auto const collision = Collision::read(Dictionary::fromText("restitution 0.2; " + walls), SchemeSet::Standard, lattice, 1000, ledger);
-    collision->apply(particles, neighbours, 1e-3);
-    return particles.u[*particles.fluid().begin()];
+    collision->apply(particles, neighbours, PeriodicImages(), 1e-3);
+    auto const reactions = collision->reactions();
+    return {particles.u[*particles.fluid().begin()], reactions.empty() ? Collision::Impulse{} : reactions.front(),
+            ledger.impulse("impulse/collisionWithWalls")};
+}
+
+Vector afterCollision(std::string const& walls, Vector const& velocity, Vector const& wallVelocity)
+{
+    return collide(walls, velocity, wallVelocity, -1).velocity;
 }
 
 } // namespace
@@ -47,6 +62,25 @@ TEST(Collision, alongTheNormalReversesTheNormalVelocityOnce)
 {
     Vector const u = afterCollision("walls normal;", Vector(0.3, -1, 0), Vector::Zero());
     expectBelow("collision, walls normal: error of the velocity that remains [m/s]", (u - Vector(0.3, 0.2, 0)).norm(), 1e-14);
+}
+
+// What the particle loses, 10 kg of water, a body gets: nothing is lost between them. A fixed wall's share is in the ledger.
+TEST(Collision, givesABodyWhatTheFluidLoses)
+{
+    Vector const before(0.3, -1, 0), still = Vector::Zero();
+    Real const mass = 1000 * spacing * spacing;
+    for (std::string const walls : {"walls normal;", "walls centres;"})
+    {
+        Outcome const free = collide(walls, before, still, 0), fixed = collide(walls, before, still, -1);
+        Vector const lost = mass * (before - free.velocity);
+        expectBelow("collision with a body, " + walls + " momentum missing [N s]", (free.body.linear - lost).norm(), 1e-12);
+        expectBelow("collision with a wall, " + walls + " momentum missing [N s]", (fixed.walls + lost).norm(), 1e-12);
+        EXPECT_TRUE(free.walls.isZero());
+        EXPECT_TRUE(fixed.body.linear.isZero());
+    }
+    // Along the normal one particle of the wall is hit, 0.4 spacings beside the origin: moment about it x J_y.
+    Outcome const one = collide("walls normal;", before, still, 0);
+    expectBelow("collision with a body: error of the moment [N m s]", std::abs(one.body.moment.z()) - 0.4 * spacing * 1.2 * mass, 1e-12);
 }
 
 TEST(Collision, anUnknownDirectionIsRefused) { EXPECT_THROW(afterCollision("walls sideways;", Vector::Zero(), Vector::Zero()), CaseError); }

@@ -33,8 +33,8 @@ ParticleSet damped(Velocity const& velocity)
     for (int i : particles.fluid()) particles.uStar[i] = particles.u[i] = velocity(particles.r[i], i);
     NeighbourList neighbours({0.21, 0.21}, false);
     neighbours.update(particles);
-    auto const damping =
-        VelocityDamping::read(Dictionary::fromText("type deviation;"), lattice, referenceConstants(lattice, 0.21).n0, 9.81);
+    auto const damping = VelocityDamping::read(Dictionary::fromText("type deviation;"), SchemeSet::Standard, lattice,
+                                               referenceConstants(lattice, 0.21).n0, 9.81);
     damping->addTo(particles, neighbours, PeriodicImages(), 5e-3);
     return particles;
 }
@@ -67,8 +67,9 @@ TEST(VelocityDamping, takesEnergyButNoMomentumFromANoisyOne)
 TEST(VelocityDamping, isAbsentUnlessNamed)
 {
     Lattice const lattice{2, 0.1, 1};
-    EXPECT_EQ(VelocityDamping::read(Dictionary(), lattice, 4.9, 9.81), nullptr);
-    EXPECT_EQ(VelocityDamping::read(Dictionary::fromText("type deviation;"), lattice, 4.9, 0), nullptr);
+    EXPECT_EQ(VelocityDamping::read(Dictionary(), SchemeSet::Standard, lattice, 4.9, 9.81), nullptr);
+    EXPECT_NE(VelocityDamping::read(Dictionary(), SchemeSet::Waves, lattice, 4.9, 9.81), nullptr);
+    EXPECT_EQ(VelocityDamping::read(Dictionary::fromText("type deviation;"), SchemeSet::Standard, lattice, 4.9, 0), nullptr);
 }
 
 } // namespace mpsDem::test
