@@ -46,6 +46,21 @@ void RigidBody::setAddedMass(Matrix6 const& addedMass, Vector6 const& assumedAcc
     assumedAcceleration_ = assumedAcceleration;
 }
 
+void RigidBody::addCollisions(Load const& impulse, Real amount, Real rate)
+{
+    Real const before = collisions_.force.norm();
+    if (amount + before > 0) collisionRate_ = (before * collisionRate_ + amount * rate) / (before + amount);
+    collisions_ += impulse;
+}
+
+Load RigidBody::takeCollisions(Real dt)
+{
+    Real const share = std::min(Real(1), dt * collisionRate_);
+    Load const mean = share / dt * collisions_;
+    collisions_ = (1 - share) * collisions_;
+    return mean;
+}
+
 Vector RigidBody::accelerationAt(Vector const& r) const
 {
     Vector const arm = r - centre_;

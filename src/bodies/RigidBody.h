@@ -47,9 +47,17 @@ public:
 
     // Loads, each set by its owner. Contact ones are reset by whoever adds to them, every sub-step.
     Load fluid;             ///< Eqs 15-16, constant during a fluid step.
-    Load collision;         ///< Impulse [N s, N m s] of fluid particles that struck it in the last step; part of `fluid` in the next.
     Load contactNormal;     ///< Normal part of eq 11 of this sub-step.
     Load contactTangential; ///< Eq 12 of this sub-step.
+
+    /// Takes over the impulse of fluid particles that struck it. A particle gives up its momentum while it passes its own size, so the
+    /// impulse acts as a force that fades with `rate`, the mean of speed over size weighted with the sizes of the impulses.
+    /// @param impulse [N s], [N m s] about the centre. @param amount  Sum of the single impulses' sizes [N s]. @param rate [1/s].
+    void addCollisions(Load const& impulse, Real amount, Real rate);
+    /// The mean force of such impulses over the next dt [s]: they are handed over by this.
+    Load takeCollisions(Real dt);
+    /// What is left of them [N s], [N m s].
+    [[nodiscard]] Load const& pendingCollisions() const { return collisions_; }
 
     /// Acceleration by gravity [m/s2]; zero until set.
     void setGravity(Vector const& g) { gravity_ = g; }
@@ -109,7 +117,7 @@ public:
 
     /// What a fluid step changes: pose; motion; added mass; loads and their means; release and latch. For a step that is taken again.
     using Snapshot = std::tuple<Vector, Quaternion, Tensor, Vector, Vector, Vector, Vector, Matrix6, Vector6, Load, Load, Load, Load, Load,
-                                Load, Load, Load, bool, Vector, Vector, bool>;
+                                Load, Load, Load, Real, bool, Vector, Vector, bool>;
     [[nodiscard]] Snapshot snapshot() const;
     void restore(Snapshot const& snapshot);
 
@@ -154,6 +162,8 @@ private:
     Quaternion orientation_;
     Tensor rotation_;
     Vector gravity_ = Vector::Zero();
+    Load collisions_;        ///< Impulse of struck particles that is still to be handed over.
+    Real collisionRate_ = 0; ///< [1/s].
 
     Matrix6 addedMass_ = Matrix6::Zero();
     Vector6 assumedAcceleration_ = Vector6::Zero();

@@ -51,7 +51,8 @@ void RigidBody::save(State& state) const
     state.set(root + "addedMass", std::span<Real const>(addedMass_.data(), 36));
     state.set(root + "assumedAcceleration", std::span<Real const>(assumedAcceleration_.data(), 6));
     saveLoad(state, root + "fluidLoad", fluid);
-    saveLoad(state, root + "collisionImpulse", collision);
+    saveLoad(state, root + "collisions", collisions_);
+    state.set(root + "collisionRate", collisionRate_);
     saveLoad(state, root + "contactNormalLoad", contactNormal);
     saveLoad(state, root + "contactTangentialLoad", contactTangential);
     saveLoad(state, root + "meanContactNormal", meanContactNormal_);
@@ -90,7 +91,8 @@ void RigidBody::load(State const& state)
     addedMass_ = Eigen::Map<Matrix6 const>(reals("addedMass", 36).data());
     assumedAcceleration_ = Eigen::Map<Vector6 const>(reals("assumedAcceleration", 6).data());
     fluid = loadedLoad(state, root + "fluidLoad");
-    collision = loadedLoad(state, root + "collisionImpulse");
+    collisions_ = loadedLoad(state, root + "collisions");
+    collisionRate_ = state.real(root + "collisionRate");
     contactNormal = loadedLoad(state, root + "contactNormalLoad");
     contactTangential = loadedLoad(state, root + "contactTangentialLoad");
     meanContactNormal_ = loadedLoad(state, root + "meanContactNormal");
@@ -104,9 +106,9 @@ template <class Body>
 auto RigidBody::changing(Body& b)
 {
     return std::tie(b.centre_, b.orientation_, b.rotation_, b.velocity_, b.angularVelocity_, b.acceleration_, b.angularAcceleration_,
-                    b.addedMass_, b.assumedAcceleration_, b.fluid, b.collision, b.contactNormal, b.contactTangential, b.meanContactNormal_,
-                    b.meanContactTangential_, b.meanRestraint_, b.meanReaction_, b.released_, b.releaseVelocity_, b.releaseAngularVelocity_,
-                    b.locked_);
+                    b.addedMass_, b.assumedAcceleration_, b.fluid, b.collisions_, b.contactNormal, b.contactTangential,
+                    b.meanContactNormal_, b.meanContactTangential_, b.meanRestraint_, b.meanReaction_, b.collisionRate_, b.released_,
+                    b.releaseVelocity_, b.releaseAngularVelocity_, b.locked_);
 }
 
 RigidBody::Snapshot RigidBody::snapshot() const { return changing(*this); }

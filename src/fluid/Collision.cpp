@@ -1,5 +1,8 @@
 #include "fluid/Collision.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "parallel/Reduce.h"
 
 namespace mpsDem {
@@ -33,7 +36,7 @@ void Collision::clearReactions(ParticleSet const& particles)
     reactions_.assign(static_cast<std::size_t>(last + 1), Impulse{});
 }
 
-void Collision::note(ParticleSet const& particles, PeriodicImages const& images, int j, Vector const& du)
+void Collision::note(ParticleSet const& particles, PeriodicImages const& images, int j, Vector const& du, Real approach)
 {
     int const original = images.source(particles, j);
     if (particles.body[original] < 0)
@@ -44,6 +47,8 @@ void Collision::note(ParticleSet const& particles, PeriodicImages const& images,
     Impulse& impulse = reactions_[static_cast<std::size_t>(particles.body[original])];
     impulse.linear -= particleMass_ * du;
     impulse.moment -= particleMass_ * particles.r[original].cross(du);
+    impulse.amount += particleMass_ * du.norm();
+    impulse.rate += particleMass_ * du.norm() * approach / particles.lattice().spacing;
 }
 
 Vector Collision::changeOf(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images, int i)
@@ -67,14 +72,14 @@ Vector Collision::changeOf(ParticleSet const& particles, NeighbourList const& ne
             if (approach <= 0) continue;
             Vector const du = (1 + restitution_) * approach * normal;
             fromPlanes += du;
-            note(particles, images, j, du);
+            note(particles, images, j, du, approach);
             continue;
         }
         Real const approach = (particles.u[i] - particles.u[j]).dot(rij);
         if (approach <= 0) continue;
         Vector const du = -(1 + restitution_) * (wall ? 1.0 : 0.5) * approach / (r2 + tiny) * rij;
         change += du;
-        if (wall) note(particles, images, j, du);
+        if (wall) note(particles, images, j, du, approach / std::sqrt(r2 + tiny));
     }
     return change + fromPlanes;
 }
@@ -95,7 +100,8 @@ void Collision::apply(ParticleSet& particles, NeighbourList const& neighbours, P
     }
     dissipated_ -= sumOverRanks(gained);
     wallImpulse_ += sumOverRanks(fromWalls_);
-    for (Impulse& impulse : reactions_) impulse = {sumOverRanks(impulse.linear), sumOverRanks(impulse.moment)};
+    for (Impulse& impulse : reactions_)
+        impulse = {sumOverRanks(impulse.linear), sumOverRanks(impulse.moment), sumOverRanks(impulse.amount), sumOverRanks(impulse.rate)};
 }
 
 } // namespace mpsDem

@@ -45,6 +45,8 @@ public:
     {
         Vector linear = Vector::Zero(); ///< [N s].
         Vector moment = Vector::Zero(); ///< About the origin [N m s].
+        Real amount = 0;                ///< Sum of the sizes of the single impulses [N s].
+        Real rate = 0;                  ///< Sum of these sizes, each times speed of approach over the spacing [N].
     };
     /// Of this step, by number of the body.
     [[nodiscard]] std::span<Impulse const> reactions() const { return reactions_; }
@@ -54,8 +56,8 @@ private:
 
     /// Change of the velocity of fluid particle i by all particles close to it [m/s]; notes what walls and bodies get.
     Vector changeOf(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images, int i);
-    /// Fluid gets `du` [m/s] from boundary particle j.
-    void note(ParticleSet const& particles, PeriodicImages const& images, int j, Vector const& du);
+    /// Fluid gets `du` [m/s] from boundary particle j. @param approach  Its speed towards it before [m/s].
+    void note(ParticleSet const& particles, PeriodicImages const& images, int j, Vector const& du, Real approach);
     void clearReactions(ParticleSet const& particles);
 
     Real distance_, surfaceDistance_, restitution_, particleMass_;

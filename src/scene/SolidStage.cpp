@@ -64,20 +64,18 @@ void SolidStage::loadBodies(FluidStage& fluid, Step const& step)
         fluid.pressure().response(fluid.particles(), fluid.neighbours(), step, acceleration, pressure);
     };
     for (FluidBodyCoupling& coupling : couplings_) coupling.load(fluid.particles(), fluid.neighbours(), step, response);
-    for (auto const& body : bodies_)
-    {
-        body->fluid += 1 / step.dt * body->collision;
-        body->collision = {};
-    }
+    for (auto const& body : bodies_) body->fluid += body->takeCollisions(step.dt);
 }
 
 void SolidStage::takeCollisions(std::span<Collision::Impulse const> impulses, Step const& step)
 {
     for (std::size_t k = 0; k < std::min(impulses.size(), bodies_.size()); ++k)
     {
+        if (!(impulses[k].amount > 0)) continue;
         RigidBody& body = *bodies_[k];
         Vector const centre = body.centre() - step.dt * body.velocity(); // where it was when the boundary particles were placed
-        body.collision = {impulses[k].linear, impulses[k].moment - centre.cross(impulses[k].linear)};
+        Load const about{impulses[k].linear, impulses[k].moment - centre.cross(impulses[k].linear)};
+        body.addCollisions(about, impulses[k].amount, impulses[k].rate / impulses[k].amount);
     }
 }
 

@@ -29,7 +29,7 @@ public:
     void loadBodies(FluidStage& fluid, Step const& step);
     /// Contact sub-steps (eqs 11-12) and motion (eqs 13-14).
     void advance(Step const& step);
-    /// What particles of the fluid gave up to the bodies in this step's collisions [N s], with moments about the origin: a load of the next step.
+    /// What particles of the fluid gave up to the bodies in this step's collisions: a load of the next steps.
     void takeCollisions(std::span<Collision::Impulse const> impulses, Step const& step);
     /// Corrects pressure and loads for the acceleration found (strong coupling).
     void correctPressure(ParticleSet& particles);

@@ -234,7 +234,7 @@ void Watch::observeMomentum(Scene const& scene)
     Real const mass = scene.fluid()->fluid().density() * particles.lattice().particleVolume();
     Vector balance = Vector::Zero();
     for (int const i : particles.fluid()) balance += mass * particles.u[i];
-    for (auto const& body : scene.bodies()) balance += body->mass() * body->velocity();
+    for (auto const& body : scene.bodies()) balance += body->mass() * body->velocity() + body->pendingCollisions().force;
     for (auto const& [name, impulse] : impulses) balance -= impulse;
     if (steps_ == 1) balance_ = balance;
     residual = residual.cwiseMax((balance - balance_).cwiseAbs() / (mass * particles.fluid().size() * g));

@@ -15,7 +15,7 @@ Vector balance(Scene const& scene)
     Vector sum = Vector::Zero();
     for (int const i : particles.fluid()) sum += particles.u[i];
     sum *= scene.fluid()->fluid().density() * particles.lattice().particleVolume();
-    for (auto const& body : scene.bodies()) sum += body->mass() * body->velocity();
+    for (auto const& body : scene.bodies()) sum += body->mass() * body->velocity() + body->pendingCollisions().force;
     for (auto const& [name, impulse] : scene.ledger().impulses()) sum -= impulse;
     return sum;
 }
