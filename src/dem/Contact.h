@@ -31,6 +31,7 @@ struct Contact
     Real radius = 0;                  ///< Effective radius of curvature 1/(1/R1 + 1/R2) [m].
     Real count = 1;                   ///< Equal spheres side by side across the thickness [-].
     Real mass = 0;                    ///< Share of the reduced mass that this contact stops [kg].
+    bool held = false;                ///< Neither side can be moved: forces change no velocity and take no energy.
 
     // Result.
     Vector normalForce = Vector::Zero();     ///< Eq 11 [N].

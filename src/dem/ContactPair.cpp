@@ -176,7 +176,13 @@ Real ContactPair::reducedMass(std::span<RigidBody* const> bodies, std::vector<Bo
 
 void ContactPair::shareMass(std::span<RigidBody* const> bodies, std::vector<BodyContactSums> const& sums)
 {
-    for (Contact& contact : contacts_) contact.mass = reducedMass(bodies, sums, contact);
+    auto const fixed = [&](int index) { return index < 0 || sums[static_cast<std::size_t>(index)].immovable; };
+    bool const held = fixed(static_cast<int>(parts_.body)) && fixed(parts_.other);
+    for (Contact& contact : contacts_)
+    {
+        contact.mass = reducedMass(bodies, sums, contact);
+        contact.held = held;
+    }
 }
 
 void ContactPair::addForces(std::span<RigidBody* const> bodies, Real h, Real kick, ContactDissipation& dissipation)

@@ -12,7 +12,7 @@ namespace mpsDem {
 /// \f[ F^n = \max(0,\; \frac{F_e - c\,v_n}{1 + c h/(2m)}) \f]
 /// Body velocities stand half a sub-step behind positions (semi-implicit Euler); the denominator takes the dashpot at the
 /// middle of the velocity step, so that it is second order in h. A contact began some fraction f of a sub-step ago: its
-/// first dashpot force covers f + 1/2 of a sub-step. No force ever pulls.
+/// first dashpot force covers f + 1/2 of a sub-step. No force ever pulls. Between sides that are held no force changes v_n.
 /// @param elastic  Spring force F_e [N].
 /// @param damping  c [N s/m].
 /// @return Size of the force [N].
@@ -22,8 +22,8 @@ inline Real addNormalForce(Contact& contact, Real elastic, Real damping, Real h,
     Real cover = 1;
     if (contact.fresh && vn < 0) cover = 0.5 + std::min(Real(1), contact.overlap / (-vn * h));
     Real const c = damping * cover;
-    Real const force = std::max(Real(0), (elastic - c * vn) / (1 + 0.5 * c * h / contact.mass));
-    Real const middleVelocity = vn + 0.5 * h * force / contact.mass;
+    Real const force = std::max(Real(0), (elastic - c * vn) / (1 + (contact.held ? 0 : 0.5 * c * h / contact.mass)));
+    Real const middleVelocity = vn + (contact.held ? 0 : 0.5 * h * force / contact.mass);
     if (damping > 0) dissipation.normal += (elastic - force) * middleVelocity * h;
     contact.normalForce = force * contact.normal;
     return force;
@@ -49,7 +49,7 @@ inline void addTangentialForce(Contact& contact, Real stiffness, Real damping, R
     }
     else
     {
-        Real const c = damping / (1 + 0.5 * damping * h / contact.mass);
+        Real const c = damping / (1 + (contact.held ? 0 : 0.5 * damping * h / contact.mass));
         contact.tangentialForce = -stiffness * contact.slip - c * vt;
         Real const size = contact.tangentialForce.norm();
         if (size > limit) contact.tangentialForce *= limit / size;

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,15 @@ TEST(DictionaryPrint, separatesTokensBySingleBlanks)
     EXPECT_EQ(printed("(box { x 1; } )"), "( box { x 1 ; } )");
     EXPECT_EQ(printed("$d"), "x 1 ;");
     EXPECT_EQ(printed("2147483648 2147483647 -0.0 100000.5"), "2.14748e+09 2147483647 0 100000");
+}
+
+TEST(DictionaryPrint, writesResultsOfEvalWithAllTheirDigits)
+{
+    EXPECT_EQ(printed("#eval{ 1/3 }"), "0.3333333333333333");
+    EXPECT_EQ(printed("#eval{ 1/4 } (#eval{ 2*3 } 0)"), "0.25 ( 6 0 )");
+    Dictionary const dictionary = Dictionary::fromText("a #eval{ sqrt(2)*1e-7 }; b $a; c #eval{ $b };");
+    for (std::string const key : {"a", "b", "c"})
+        EXPECT_EQ(std::stod(dictionary.entryText(key)), std::sqrt(2.0) * 1e-7) << dictionary.entryText(key);
 }
 
 TEST(DictionaryPrint, writesTypedListsAsLists)

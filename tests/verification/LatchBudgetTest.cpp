@@ -30,12 +30,17 @@ TEST(LatchBudget, closesWhereALatchLocksASlide)
     };
     run.start();
     Real const before = energy();
-    run.run();
+    Real heat = 0; // of the contact, when the latch has locked the block
+    run.run([&](Scene const& scene, Step const&) {
+        if (heat == 0 && run.body().locked()) heat = scene.ledger().energies().at("energy/contactDissipated");
+    });
     ASSERT_TRUE(run.body().locked());
     Real const taken = run.scene().ledger().energies().at("energy/latch");
     Real const fallen = run.body().mass() * 9.81 * 0.5 / std::sqrt(2.0);
     expectBetween("block at a latch: energy it took over that of the fall", taken / fallen, 0.88, 0.92); // 1 - mu
     expectBelow("block at a latch: change of the total over the energy it took", (energy() - before) / taken, 0.005);
+    Real const later = run.scene().ledger().energies().at("energy/contactDissipated");
+    expectBelow("block at a latch: heat of its contact after that, over the energy it took", std::abs(later - heat) / taken, 1e-12);
     expectBelow("block at a latch: momentum residual over weight x 1 s", momentum().norm() / (run.body().mass() * 9.81), 1e-9);
 }
 

@@ -148,10 +148,11 @@ std::string numberText(Token const& token)
     std::array<char, 32> buffer{};
     if (token.number == 0) return "0";
     bool const label = token.kind == TokenKind::Integer && std::abs(token.number) <= std::numeric_limits<std::int32_t>::max();
-    auto const end = label
-                         ? std::to_chars(buffer.data(), buffer.data() + buffer.size(), token.integer)
-                         : std::to_chars(buffer.data(), buffer.data() + buffer.size(), token.number, std::chars_format::general, precision);
-    return {buffer.data(), end.ptr};
+    char *const begin = buffer.data(), *const end = begin + buffer.size();
+    char* const last = label            ? std::to_chars(begin, end, token.integer).ptr
+                       : token.computed ? std::to_chars(begin, end, token.number).ptr // shortest that reads back the same
+                                        : std::to_chars(begin, end, token.number, std::chars_format::general, precision).ptr;
+    return {begin, last};
 }
 
 std::string tokensText(Tokens const& tokens)

@@ -206,6 +206,7 @@ Token Reader::evaluate(Lexer& lexer, Token const& directive)
     Token value;
     value.kind = TokenKind::Number;
     value.line = directive.line;
+    value.computed = true;
     value.number = evaluator_.evaluate(expression, lookup, where);
     return value;
 }
