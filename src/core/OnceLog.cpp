@@ -1,5 +1,6 @@
 #include "core/OnceLog.h"
 
+#include <map>
 #include <set>
 
 #include "core/Log.h"
@@ -9,6 +10,7 @@ namespace mpsDem {
 namespace {
 
 std::set<std::string> shown;
+std::map<std::string, int> counts; ///< Of warnSeldom(), by key.
 
 } // namespace
 
@@ -22,6 +24,30 @@ void warnOnce(std::string const& text)
     if (shown.insert(text).second) warn(text);
 }
 
-void forgetShown() { shown.clear(); }
+void warnSeldom(std::string const& text, std::string const& key)
+{
+    int const count = ++counts[key];
+    int decade = 1;
+    while (decade <= count / 10) decade *= 10;
+    if (count == decade) warn(count == 1 ? text : text + " (" + std::to_string(count) + " such warnings so far)");
+}
+
+void tellSeldom(std::ostream& os)
+{
+    bool any = false;
+    for (auto const& [key, count] : counts)
+    {
+        if (count < 2) continue;
+        os << "Warnings in all, " << key << ": " << count << '\n';
+        any = true;
+    }
+    if (any) os << '\n';
+}
+
+void forgetShown()
+{
+    shown.clear();
+    counts.clear();
+}
 
 } // namespace mpsDem

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/Log.h"
+#include "core/OnceLog.h"
 #include "dem/MeshSurface.h"
 #include "dem/PolylineSurface.h"
 #include "dem/SimpleSurfaces.h"
@@ -167,7 +168,7 @@ void ContactModel::checkOverlap(std::span<RigidBody* const> bodies) const
         if (!(overlap <= refusedOverlap * spacing_))
             throw CaseError(ExitCode::Solver, text.str(),
                             "at most 0.3 spacings: lower maxOverlap or raise impactSpeed in contactProperties");
-        warn(text.str(), "overlap of contact " + pair.name(), 5);
+        warnSeldom(text.str(), points_.size() > fewBodies ? "overlap of contacts" : "overlap of contact " + pair.name());
     }
 }
 

@@ -141,7 +141,8 @@ private:
     void checkOverlap(std::span<RigidBody* const> bodies) const;
     [[nodiscard]] Real speed(RigidBody const& body, std::size_t index) const;
 
-    static constexpr Real mayTouch = 5e-3; ///< Gap within which a point counts for the sub-step [m].
+    static constexpr std::size_t fewBodies = 8; ///< Up to so many bodies all pairs are made at once, and each is warned of by itself.
+    static constexpr Real mayTouch = 5e-3;      ///< Gap within which a point counts for the sub-step [m].
 
     Real spacing_;
     Real thickness_;

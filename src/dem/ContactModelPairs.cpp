@@ -4,12 +4,6 @@
 
 namespace mpsDem {
 
-namespace {
-
-constexpr std::size_t fewBodies = 8; ///< Up to so many bodies all pairs are made at once.
-
-} // namespace
-
 std::size_t ContactModel::find(Key const& key) const
 {
     return static_cast<std::size_t>(std::lower_bound(keys_.begin(), keys_.end(), key) - keys_.begin());

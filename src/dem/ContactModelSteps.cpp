@@ -104,6 +104,12 @@ void ContactModel::report(std::ostream& os, std::span<RigidBody* const> bodies) 
            << " points, stiffness of the longest side " << stiffness << " N/m, damping ratio " << materials_[i].zeta
            << ", overlap by the weight " << 9.81 * mass / stiffness << " m, sub-step " << step << " s\n";
     }
+    auto const given = [](ContactProperties const& p) { return !p.modulus.file.empty(); };
+    auto const used = [&](ContactProperties const& p) { return given(p) && !p.idleModulus(); };
+    auto const idle = std::find_if(properties_.begin(), properties_.end(), given);
+    if (idle != properties_.end() && std::none_of(properties_.begin(), properties_.end(), used))
+        os << "contact: youngsModulus (" << idle->modulus.str() << ") has no effect with stiffness " << idle->stiffness << " and law "
+           << idle->law << '\n';
     std::size_t const all = points_.size() * (points_.size() - std::min<std::size_t>(points_.size(), 1));
     if (std::count_if(keys_.begin(), keys_.end(), [&](Key const& key) { return betweenBodies(key); }) < static_cast<std::ptrdiff_t>(all))
         os << "contact of body with body: the other pairs are made as soon as two bodies come near one another\n";

@@ -12,6 +12,7 @@ ContactProperties ContactProperties::read(Dictionary const& dict, ContactPropert
     if (dict.found("law")) p.where = dict.where("law");
     p.mu = dict.getInRangeOr("mu", common.mu, 0, 10);
     p.e = dict.getInRangeOr("e", common.e, 0.01, 1);
+    if (dict.found("youngsModulus")) p.modulus = dict.where("youngsModulus");
     p.youngsModulus = dict.getInRangeOr("youngsModulus", common.youngsModulus, 1e3, 1e13);
     p.poissonsRatio = dict.getInRangeOr("poissonsRatio", common.poissonsRatio, 0, 0.499);
     p.stiffness = dict.getWordOr("stiffness", common.stiffness, {"maxOverlap", "fromModulus", "constant"}, "choices of the stiffness");
@@ -22,6 +23,8 @@ ContactProperties ContactProperties::read(Dictionary const& dict, ContactPropert
             "normalStiffness [N/m3], above zero");
     return p;
 }
+
+bool ContactProperties::idleModulus() const { return !modulus.file.empty() && stiffness != "fromModulus" && law != "hertzMindlin"; }
 
 ContactProperties ContactProperties::readCommon(Dictionary const& dict)
 {

@@ -36,7 +36,11 @@ struct ContactProperties
     Real maxOverlap = 1e-3;
     Real impactSpeed = 1;
     Real normalStiffness = 0;
-    Location where; ///< Where the law was named.
+    Location where;   ///< Where the law was named.
+    Location modulus; ///< Where youngsModulus was given; no file where it was not.
+
+    /// A youngsModulus that nothing asks for: neither the stiffness nor the law is made of it.
+    [[nodiscard]] bool idleModulus() const;
 
     /// Reads the entries of one dictionary; what it doesn't give is taken from `common`.
     /// @throw CaseError BadInput for values out of range and unknown words.

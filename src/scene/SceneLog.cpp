@@ -2,6 +2,7 @@
 #include <iomanip>
 
 #include "core/Log.h"
+#include "core/OnceLog.h"
 #include "parallel/Reduce.h"
 #include "scene/Scene.h"
 
@@ -79,6 +80,7 @@ void Scene::logEnd(Cost const& loop) const
         info() << "\n\n";
     }
     guard_->report(info());
+    tellSeldom(info());
     printBill(info(), loop, particleSteps_);
     info() << std::endl;
 }

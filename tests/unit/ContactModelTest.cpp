@@ -64,6 +64,28 @@ TEST(ContactModel, restingBoxCarriesItsWeight)
     EXPECT_GT(scene.contact->maxOverlap(), 0);
 }
 
+// A modulus is given that the stiffness is not made of: one line of the report says so, with its place.
+TEST(ContactModel, saysOnceThatAModulusHasNoEffect)
+{
+    auto const reportOf = [](std::string const& dictionary) {
+        ContactScene scene;
+        scene.surfaces = {floorLine("floor"), Polyline("bank", {{5, 5, 0}, {6, 5, 0}}, false, Polyline::FluidSide::Left)};
+        scene.addBox("box", 0.2, 0.1, 1000, {0, 0.05, 0});
+        scene.build(dictionary);
+        std::ostringstream text;
+        scene.contact->report(text, scene.pointers);
+        return text.str();
+    };
+    std::string const note = "contact: youngsModulus (text:2) has no effect with stiffness maxOverlap and law linearSpringDashpot\n";
+    std::string const idle = reportOf("mu 0.1;\nyoungsModulus 1e7;");
+    std::size_t const at = idle.find(note);
+    ASSERT_NE(at, std::string::npos) << idle;
+    EXPECT_EQ(idle.find("no effect", at + note.size()), std::string::npos) << idle;
+    for (std::string const used :
+         {"mu 0.1; youngsModulus 1e7; stiffness fromModulus;", "mu 0.1; youngsModulus 1e7; law hertzMindlin;", "mu 0.1;"})
+        EXPECT_EQ(reportOf(used).find("no effect"), std::string::npos) << used;
+}
+
 // In a valley of two sides at 45 degrees a box standing on its corner touches both; each carries m g / sqrt 2, not more. The valley is one
 // surface, or two of which one ends on the other.
 TEST(ContactModel, boxInAValleyHasNoDoubleForce)
