@@ -18,6 +18,7 @@ struct FacetSoup
     Location file;             ///< Named in messages.
     std::vector<Facet> facets; ///< [m], counter-clockwise as seen from the fluid.
     std::vector<int> lines;    ///< Where each begins; empty for a binary file.
+    int solids = 1;            ///< Blocks solid ... endsolid that the file lists them in.
 
     /// "facet 12 at constant/triSurface/slide.stl:85"-like place of a facet, counted from 1 as users do.
     [[nodiscard]] Location place(std::size_t facet) const;

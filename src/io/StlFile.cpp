@@ -105,6 +105,9 @@ TriSurface readStl(std::filesystem::path const& file, std::string const& name, S
         std::string const bytes = readBytes(file);
         readFacets(bytes, soup);
     }
+    if (soup.solids > 1)
+        infoOnce(soup.file.str() + ": the " + std::to_string(soup.solids) + " solids of this file are taken as one surface, \"" + name +
+                 "\"");
     for (FacetSoup::Facet& facet : soup.facets)
         for (Vector& r : facet) r *= options.scale;
     TriSurface surface = joinFacets(soup, name, options.skin);

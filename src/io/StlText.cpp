@@ -15,9 +15,11 @@ public:
 
     void run()
     {
+        soup_.solids = 0;
         for (words_.next(); !words_.done(); words_.next())
         {
             want("solid");
+            ++soup_.solids;
             words_.skipLine();
             for (words_.next(); words_.is("facet"); words_.next()) readFacet();
             want("endsolid");

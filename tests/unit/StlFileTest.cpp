@@ -137,6 +137,14 @@ TEST_F(StlFile, MissingFilesAreInputOutputErrors)
     EXPECT_THROW(static_cast<void>(readStl(folder_.path(), "folder")), CaseError);
 }
 
+TEST_F(StlFile, SeveralSolidsOfAFileAreTakenAsOneSurfaceWithANote)
+{
+    std::string const two = textOf(boxFacets()) + textOf(boxFacets({5, 0, 0}, {6, 1, 1}));
+    EXPECT_NE(notesOf(two, {1, Skin::Closed, 0}).find("the 2 solids of this file are taken as one surface, \"box\""), std::string::npos);
+    EXPECT_EQ(read(two).triangles().size(), 24u);
+    EXPECT_EQ(notesOf(textOf(boxFacets()), {1, Skin::Closed, 0}).find("solids"), std::string::npos);
+}
+
 TEST_F(StlFile, LikelySlipsOfTheUnitDrawAWarning)
 {
     Facets const millimetres = boxFacets({0, 0, 0}, {500, 500, 550});
