@@ -61,7 +61,8 @@ SceneDefinition readSceneDefinition(CaseFolder const& caseFolder, std::filesyste
     checkNames(scene);
     require(!scene.walls.empty() || !scene.regions.empty() || !scene.bodies.empty(), dict.where(),
             "the case has neither walls nor fluid nor bodies", "geometry, regions, or constant/rigidBodyProperties");
-    requireRoom(estimateSize(scene), scene.lattice, particleProperties.where("spacing"), availableMemory());
+    SizeEstimate const size = estimateSize(scene);
+    requireRoom(size, scene.lattice, particleProperties.where("spacing"), availableMemory(), largeSurface(scene, size));
     return scene;
 }
 

@@ -31,6 +31,22 @@ Real areaOf(Surface const& surface, Lattice const& lattice)
     return length * lattice.thickness;
 }
 
+Real particlesOf(WallDefinition const& wall, Lattice const& lattice)
+{
+    Real const layer = lattice.particleVolume() / lattice.spacing; // area that a particle of a row stands for
+    return areaOf(wall.surface, lattice) / layer * (1 + wall.ghostRows);
+}
+
+/// Of a ring within a shape all of whose sides touch one circle (sphere) of radius d V / A: triangle, square, disc.
+Real particlesOf(BodyShape const& shape, SceneDefinition const& definition)
+{
+    Lattice const& lattice = definition.lattice;
+    Real const width = (1 + ghostRowsFor(definition.kernelRadius)) * lattice.spacing;
+    Real const d = lattice.dimensions, volume = shape.properties.volume, radius = d * volume / areaOf(shape.outline, lattice);
+    Real const core = std::max(Real(0), 1 - width / radius);
+    return volume * (1 - std::pow(core, d)) / lattice.particleVolume();
+}
+
 struct Box
 {
     Vector low, high;
@@ -78,26 +94,34 @@ SizeEstimate estimateSize(SceneDefinition const& definition)
     SizeEstimate size;
     Lattice const& lattice = definition.lattice;
     std::vector<Surface> surfaces;
-    Real const layer = lattice.particleVolume() / lattice.spacing; // area that a particle of a row stands for
     for (WallDefinition const& wall : definition.walls)
     {
         surfaces.push_back(wall.surface);
-        size.wall += areaOf(wall.surface, lattice) / layer * (1 + wall.ghostRows);
+        size.wall += particlesOf(wall, lattice);
     }
     size.fluid = sampleRegions(definition.regions, SurfaceTree(surfaces), lattice).free / lattice.particleVolume();
     if (definition.regions.empty()) return size;
-    Real const width = (1 + ghostRowsFor(definition.kernelRadius)) * lattice.spacing;
-    for (BodyShape const& shape : definition.shapes)
-    {
-        // A ring of this width within a shape all of whose sides touch one circle (sphere) of radius d V / A: triangle, square, disc.
-        Real const d = lattice.dimensions, volume = shape.properties.volume, radius = d * volume / areaOf(shape.outline, lattice);
-        Real const core = std::max(Real(0), 1 - width / radius);
-        size.body += volume * (1 - std::pow(core, d)) / lattice.particleVolume();
-    }
+    for (BodyShape const& shape : definition.shapes) size.body += particlesOf(shape, definition);
     return size;
 }
 
-void requireRoom(SizeEstimate const& size, Lattice const& lattice, Location const& where, std::uint64_t available)
+std::string largeSurface(SceneDefinition const& definition, SizeEstimate const& size)
+{
+    Real const half = 0.5 * size.total();
+    auto const text = [](std::string const& kind, Surface const& surface, Location const& where) {
+        Real const extent = (surface.triangles().high() - surface.triangles().low()).maxCoeff();
+        return "most are those of " + kind + " \"" + surface.name() + "\" (" + where.str() + "), which measures " + rounded(extent) +
+               " m: are the numbers of its file millimetres (scale 0.001)?";
+    };
+    for (WallDefinition const& wall : definition.walls)
+        if (!wall.surface.flat() && particlesOf(wall, definition.lattice) > half) return text("wall", wall.surface, wall.where);
+    for (BodyShape const& shape : definition.shapes)
+        if (!shape.outline.flat() && !definition.regions.empty() && particlesOf(shape, definition) > half)
+            return text("body", shape.outline, shape.where);
+    return {};
+}
+
+void requireRoom(SizeEstimate const& size, Lattice const& lattice, Location const& where, std::uint64_t available, std::string const& doubt)
 {
     Real const room = static_cast<Real>(available), most = std::min(room / toSet, mostNumbers);
     std::string const numbers = "about " + rounded(size.total()) + " particles (fluid " + rounded(size.fluid) + ", walls " +
@@ -106,7 +130,8 @@ void requireRoom(SizeEstimate const& size, Lattice const& lattice, Location cons
         throw CaseError(ExitCode::Memory, where,
                         numbers + " need " + inGigabytes(size.bytesToSet()) + " of memory, " + inGigabytes(room) + " are free",
                         "a spacing of about " + rounded(lattice.spacing * std::pow(size.total() / most, 1.0 / lattice.dimensions)) +
-                            " m or more, smaller regions, or a machine with more memory; at most " + rounded(mostNumbers) + " particles");
+                            " m or more, smaller regions, or a machine with more memory; at most " + rounded(mostNumbers) + " particles" +
+                            (doubt.empty() ? "" : "\n    " + doubt));
     if (size.bytesToRun() > room)
         warn(numbers + ": the run will need " + inGigabytes(size.bytesToRun()) + " of memory, " + inGigabytes(room) + " are free here");
 }

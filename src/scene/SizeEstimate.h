@@ -36,7 +36,13 @@ SizeEstimate estimateSize(SceneDefinition const& definition);
 /// Refuses a case that would not fit into the memory, with the numbers; warns where only the run would not.
 /// @param where      Place of the spacing in its dictionary.
 /// @param available  [bytes]
+/// @param doubt      What may be wrong with the case, for the message; may be empty.
 /// @throw CaseError Memory
-void requireRoom(SizeEstimate const& size, Lattice const& lattice, Location const& where, std::uint64_t available);
+void requireRoom(SizeEstimate const& size, Lattice const& lattice, Location const& where, std::uint64_t available,
+                 std::string const& doubt = {});
+
+/// Names the surface of triangles to which most particles of the case are due, where one is: a file in millimetres that was read as metres
+/// has a million times as many. Empty otherwise.
+[[nodiscard]] std::string largeSurface(SceneDefinition const& definition, SizeEstimate const& size);
 
 } // namespace mpsDem

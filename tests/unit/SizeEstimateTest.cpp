@@ -4,6 +4,7 @@
 
 #include "core/Errors.h"
 #include "io/MachineMemory.h"
+#include "io/StlFile.h"
 #include "scene/SizeEstimate.h"
 #include "support/RunCase.h"
 #include "support/SmallCase.h"
@@ -69,6 +70,36 @@ TEST(SizeEstimate, WhatDoesNotFitIsRefusedWithTheNumbers)
     }
     size.fluid = 1e12; // no memory makes up for numbers of 32 bits
     EXPECT_THROW(requireRoom(size, lattice, {}, std::uint64_t(1) << 60), CaseError);
+}
+
+TEST(SizeEstimate, ABodyInMillimetresIsNamedWithTheEntryThatMendsIt)
+{
+    SmallCase const testCase;
+    testCase.write("constant/particleProperties", "dimensions 3; spacing 0.05;");
+    testCase.write("system/setParticlesDict", "geometry { tank { type searchableBox; min (0 0 0); max (2 1 1); open (top); } }\n"
+                                              "regions ( boxToParticle { box (0 0 0) (2 0.5 1); } );");
+    testCase.write("constant/rigidBodyProperties", "bodies { slide { shape { type triSurfaceMesh; file \"slide.stl\"; } density 2000; } }");
+    std::filesystem::create_directories(testCase.root() / "constant/triSurface");
+    writeStl(testCase.root() / "constant/triSurface/slide.stl", TriSurface::box("slide", {800, 200, 300}, {1200, 600, 700}));
+    SceneDefinition const inMillimetres = definitionOf(testCase);
+    SizeEstimate const size = estimateSize(inMillimetres);
+    std::string const doubt = largeSurface(inMillimetres, size);
+    for (char const* piece : {"body \"slide\" (constant/rigidBodyProperties:4)", "measures 400 m", "millimetres (scale 0.001)?"})
+        EXPECT_NE(doubt.find(piece), std::string::npos) << piece << '\n' << doubt;
+    try
+    {
+        requireRoom(size, inMillimetres.lattice, {}, 1'000'000'000, doubt);
+        FAIL() << "400 m in 1 GB";
+    }
+    catch (CaseError const& error)
+    {
+        EXPECT_NE(std::string(error.what()).find("scale 0.001"), std::string::npos) << error.what();
+    }
+
+    testCase.write("constant/rigidBodyProperties",
+                   "bodies { slide { shape { type triSurfaceMesh; file \"slide.stl\"; scale 0.001; } density 2000; } }");
+    SceneDefinition const inMetres = definitionOf(testCase);
+    EXPECT_EQ(largeSurface(inMetres, estimateSize(inMetres)), "");
 }
 
 TEST(SizeEstimate, TheMachineHasSomeMemory)
