@@ -29,8 +29,9 @@ public:
     /// @throw CaseError BadInput with file:line for what the grammar does not allow, or where it is not there; InputOutput where it can't be read.
     static Dictionary fromFile(std::filesystem::path const& path, std::filesystem::path const& caseRoot);
 
-    /// The same, but as careless as OpenFOAM's own reader where that harms nothing: of duplicate entries the last counts (each such place goes
-    /// to `warnings`), `0x10` are two tokens, and libs, coded types and systemCall pass as plain data. For tools that only show dictionaries.
+    /// The same, but as careless as OpenFOAM's own reader where that harms nothing: of duplicate entries the last counts, `0x10` are two
+    /// tokens, and libs, coded types and systemCall pass as plain data. Each place with duplicates or such names goes to `warnings`. For tools
+    /// that only show dictionaries.
     static Dictionary fromFileLeniently(std::filesystem::path const& path, std::filesystem::path const& caseRoot,
                                         std::vector<std::string>& warnings);
 

@@ -148,6 +148,23 @@ TEST(DictionaryStrict, checksRangesAndWords)
               "f:1: type \"slidee\" is not known\n    known types: slide, wedge   (did you mean slide?)");
 }
 
+TEST(DictionaryStrict, theLenientReaderShowsWhatWouldRunCodeWithAWarning)
+{
+    auto const file = std::filesystem::temp_directory_path() / ("code" + std::to_string(getpid()));
+    std::ofstream(file) << "functions\n{\n    a { type coded; }\n    b { type systemCall; }\n}\nc { libs (x); }\n";
+    std::vector<std::string> warnings;
+    Dictionary const dictionary = Dictionary::fromFileLeniently(file, file.parent_path(), warnings);
+    EXPECT_EQ(dictionary.entryText("functions.a.type"), "coded");
+    ASSERT_EQ(warnings.size(), 3U);
+    EXPECT_NE(warnings[0].find(":3: type coded is shown as data"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[1].find(":4: type systemCall is shown as data"), std::string::npos) << warnings[1];
+    EXPECT_NE(warnings[2].find(":6: libs is shown as data"), std::string::npos) << warnings[2];
+    EXPECT_THROW(Dictionary::fromFile(file, file.parent_path()), mpsDem::CaseError);
+    std::ofstream(file) << "a #calc \"1\";\n"; // what would have to be run to be shown stays an error
+    EXPECT_THROW(Dictionary::fromFileLeniently(file, file.parent_path(), warnings), mpsDem::CaseError);
+    std::filesystem::remove(file);
+}
+
 TEST(DictionaryStrict, theLenientReaderTakesTheLastDuplicateWithAWarning)
 {
     auto const file = std::filesystem::temp_directory_path() / ("lenient" + std::to_string(getpid()));
@@ -157,8 +174,9 @@ TEST(DictionaryStrict, theLenientReaderTakesTheLastDuplicateWithAWarning)
     std::filesystem::remove(file);
     EXPECT_EQ(dictionary.get<int>("a"), 2);
     EXPECT_EQ(dictionary.entryText("b"), "0 x10");
-    ASSERT_EQ(warnings.size(), 1U);
+    ASSERT_EQ(warnings.size(), 2U);
     EXPECT_NE(warnings[0].find(":2: the entry \"a\" is there already"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[1].find(":3: libs is shown as data; in a case it is refused"), std::string::npos) << warnings[1];
 }
 
 TEST(DictionaryStrict, requiresTheHeader)

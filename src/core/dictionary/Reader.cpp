@@ -220,14 +220,18 @@ void Reader::replace(Entry& old, Entry entry)
 
 void Reader::checkForbidden(Entry const& entry) const
 {
-    if (options_.lenient) return;
-    Location const where = here().where(entry);
-    require(entry.key != "libs", where, "libs is not supported by design: a case is data, never code");
+    std::string what;
+    if (entry.key == "libs") what = "libs";
     bool const type = (entry.key == "type" || entry.key == "functionObjectType") && !entry.tokens.empty() && entry.tokens[0].isName();
-    if (!type) return;
-    std::string const& word = entry.tokens[0].text;
-    bool const code = word.starts_with("coded") || word == "systemCall";
-    require(!code, where, "type " + shown(word) + " is not supported by design: a case is data, never code");
+    if (type)
+    {
+        std::string const& word = entry.tokens[0].text;
+        if (word.starts_with("coded") || word == "systemCall") what = "type " + shown(word);
+    }
+    if (what.empty()) return;
+    Location const where = here().where(entry);
+    require(options_.lenient, where, what + " is not supported by design: a case is data, never code");
+    warn(where, what + " is shown as data; in a case it is refused, for it would run code");
 }
 
 /// Counts the values of every `List<type> N(...)`.

@@ -29,7 +29,7 @@ struct Token
     std::int64_t integer = 0; ///< Value of an Integer.
     int line = 0;             ///< Line on which it begins.
     TokenKind kind = TokenKind::End;
-    bool glued = false; ///< No blank stands between it and the token before.
+    bool glued = false;    ///< No blank stands between it and the token before.
     bool computed = false; ///< A result of #eval: it is printed with all its digits, for nobody wrote it with fewer.
 
     [[nodiscard]] bool isPunctuation(char c) const { return kind == TokenKind::Punctuation && text[0] == c; }
