@@ -12,7 +12,7 @@ namespace {
 std::vector<Vector> readLocations(Dictionary const& dict, RunContext const& context)
 {
     requireFluid(context, dict);
-    auto locations = dict.get<std::vector<Vector>>("locations");
+    auto locations = placesOf(context, dict, "locations", dict.get<std::vector<Vector>>("locations"));
     require(!locations.empty(), dict.where("locations"), "locations is an empty list", "at least one point (x y z)");
     warnOfPlacesOutside(context, dict, "locations", locations, readUp(context, dict));
     return locations;

@@ -8,6 +8,7 @@
 
 #include "core/Errors.h"
 #include "core/Log.h"
+#include "core/OnceLog.h"
 #include "parallel/Reduce.h"
 
 namespace mpsDem {
@@ -94,6 +95,19 @@ Vector readUp(RunContext const& context, Dictionary const& dict)
     require(!planar || std::abs(direction.z()) < 1e-12 * direction.norm(), dict.where("direction"),
             "the direction of elevation leaves the x-y plane of a 2-D case", "a direction with z = 0");
     return direction.normalized();
+}
+
+std::vector<Vector> placesOf(RunContext const& context, Dictionary const& dict, std::string const& key, std::vector<Vector> places)
+{
+    bool const planar = context.particles.lattice().dimensions == 2;
+    for (Vector& place : places)
+    {
+        require(place.allFinite(), dict.where(key), key + " is not finite", "points (x y z)");
+        if (!planar || place.z() == 0) continue;
+        infoOnce(dict.where(key).str() + ": z of " + key + " does not count in a case of two dimensions");
+        place.z() = 0;
+    }
+    return places;
 }
 
 void warnOfPlacesOutside(RunContext const& context, Dictionary const& dict, std::string const& key, std::vector<Vector> const& places,

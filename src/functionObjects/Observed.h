@@ -34,6 +34,10 @@ std::vector<int> readPatches(RunContext const& context, Dictionary const& dict, 
 /// @throw CaseError BadInput where both are zero, or where the direction leaves the plane of a 2-D case.
 Vector readUp(RunContext const& context, Dictionary const& dict);
 
+/// Places of a function object [m]. In a 2-D case their third component does not count: it is set to zero, and a note names the entry.
+/// @throw CaseError BadInput for one that is not finite.
+std::vector<Vector> placesOf(RunContext const& context, Dictionary const& dict, std::string const& key, std::vector<Vector> places);
+
 /// Warns, once a run, of places that lie outside of the extent of all particles, of walls and fluid, in the x-y plane (3-D: in space).
 /// @param key  Entry of `dict` that names the places. @param up  Direction along which a place does not count, a unit vector; or zero.
 void warnOfPlacesOutside(RunContext const& context, Dictionary const& dict, std::string const& key, std::vector<Vector> const& places,

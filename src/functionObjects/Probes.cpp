@@ -44,7 +44,7 @@ std::vector<std::string> columnsOf(std::string const& field, std::size_t count)
 
 Probes::Probes(std::string const& name, Dictionary const& dict, RunContext const& context)
     : context_(context),
-      locations_(dict.get<std::vector<Vector>>("probeLocations")),
+      locations_(placesOf(context, dict, "probeLocations", dict.get<std::vector<Vector>>("probeLocations"))),
       fields_(dict.getOr<std::vector<std::string>>("fields", {"p", "U"})),
       hydrostatic_(dict.getOr<bool>("hydrostaticCorrection", false)),
       kernel_{2.1 * context.particles.lattice().spacing}

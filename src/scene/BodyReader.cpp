@@ -39,7 +39,10 @@ std::unique_ptr<Shape> makePolygon(Dictionary const& dict, GeometryContext const
     auto shape = std::make_unique<Shape>();
     auto const points = readPolygon(dict);
     if (context.lattice.dimensions == 2)
+    {
+        refuseInPlane(dict, {"zRange"});
         shape->make = [points](std::string const& name) { return Surface(Polyline::outline(name, points)); };
+    }
     else
     {
         auto const [low, high] = readZRange(dict);
@@ -54,9 +57,8 @@ std::unique_ptr<Shape> makeBox(Dictionary const& dict, GeometryContext const& co
 {
     int const dimensions = context.lattice.dimensions;
     Vector const a = readPoint(dict, "min", dimensions), b = readPoint(dict, "max", dimensions);
-    bool const rising = a.x() < b.x() && a.y() < b.y() && (dimensions == 2 || a.z() < b.z());
-    require(rising, dict.where("max"), "a box whose max is not above its min",
-            dimensions == 2 ? "min < max in x and y" : "min < max in x, y and z");
+    if (dimensions == 3) requireBoxInSpace(a, b, dict.where("max"));
+    require(a.x() < b.x() && a.y() < b.y(), dict.where("max"), "a box whose max is not above its min", "min < max in x and y");
     auto shape = std::make_unique<Shape>();
     shape->make = [=](std::string const& name) {
         if (dimensions == 3) return Surface(TriSurface::box(name, a, b));
@@ -127,7 +129,10 @@ BodyShape readBodyShape(std::string const& name, Dictionary const& body, Geometr
 {
     Dictionary const dict = body.subDict("shape");
     Lattice const& lattice = context.lattice;
-    auto const shape = bodyShapes(lattice.dimensions).make(dict.get<std::string>("type"), dict.where("type"), dict, context);
+    BodyShapeRegistry const& shapes = bodyShapes(lattice.dimensions);
+    auto const type = dict.get<std::string>("type");
+    refuseInPlane(dict.where("type"), "shape", type, shapes.names(), bodyShapes(3).names());
+    auto const shape = shapes.make(type, dict.where("type"), dict, context);
     BodyShape result;
     result.name = name;
     result.where = dict.where(dict.found("points") ? "points" : "");

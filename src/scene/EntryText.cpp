@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/Errors.h"
+#include "core/OnceLog.h"
 
 namespace mpsDem {
 
@@ -63,6 +64,21 @@ private:
     std::string key_, allowed_;
 };
 
+std::string const toSpace = "dimensions 3 in constant/particleProperties";
+
+std::string listed(std::vector<std::string> const& words)
+{
+    std::string text;
+    for (std::string const& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+void requireInPlane(Vector const& r, Location const& where, std::string const& key)
+{
+    require(r.allFinite(), where, key + " is not finite", "three numbers");
+    require(r.z() == 0, where, key + " leaves the x-y plane", "a 2-D case lies in the plane z = 0; or " + toSpace);
+}
+
 } // namespace
 
 std::vector<Vector> readVectorSequence(Dictionary const& dict, std::string const& key, std::size_t count)
@@ -79,7 +95,7 @@ bool isWord(Dictionary const& dict, std::string const& key, std::string const& w
     return dict.found(key) && dict.entryTokens(key) == std::vector<std::string>{word};
 }
 
-FieldValues readFieldValues(Dictionary const& dict, std::string const& key)
+FieldValues readFieldValues(Dictionary const& dict, std::string const& key, int dimensions)
 {
     FieldValues values;
     if (!dict.found(key)) return values;
@@ -109,18 +125,39 @@ FieldValues readFieldValues(Dictionary const& dict, std::string const& key)
     }
     reader.take(")");
     reader.finish();
+    if (dimensions == 2) requireInPlane(values.velocity, dict.where(key), "U");
     return values;
 }
 
-namespace {
-
-void requireInPlane(Vector const& r, Location const& where, std::string const& key)
+void refuseInPlane(Dictionary const& dict, std::initializer_list<char const*> keys)
 {
-    require(r.allFinite(), where, key + " is not finite", "three numbers");
-    require(r.z() == 0, where, key + " leaves the x-y plane", "a 2-D case lies in the plane z = 0");
+    for (char const* key : keys)
+        require(!dict.found(key), dict.where(key), std::string(key) + " in a case of two dimensions", "leave it out, or " + toSpace);
 }
 
-} // namespace
+void refuseInPlane(Location const& where, std::string const& kind, std::string const& word, std::vector<std::string> const& plane,
+                   std::vector<std::string> const& space)
+{
+    auto const among = [&](std::vector<std::string> const& words) { return std::find(words.begin(), words.end(), word) != words.end(); };
+    require(among(plane) || !among(space), where, kind + " \"" + word + "\" in a case of two dimensions",
+            toSpace + "; or one of: " + listed(plane));
+}
+
+void requireBoxInSpace(Vector const& min, Vector const& max, Location const& where)
+{
+    bool const flat = min.z() == max.z() && min.x() < max.x() && min.y() < max.y();
+    require(!flat, where, "a box without extent in z", "min < max in x, y and z; or dimensions 2 in constant/particleProperties");
+    require((min.array() < max.array()).all(), where, "a box whose max is not above its min", "min < max in x, y and z");
+}
+
+void warnOfDepth(Location const& where, std::string const& what, Real depth, Lattice const& lattice, bool more)
+{
+    if (!(depth > 0) || std::abs(depth - lattice.thickness) <= 1e-6 * lattice.thickness) return;
+    if (more && depth > lattice.thickness) return;
+    warnOnce(where.str() + ": " + what + " reaches over " + shortNumber(depth) +
+             " m in z, which does not count in a case of two dimensions; " + "its thickness is " + shortNumber(lattice.thickness) +
+             " m: is dimensions 3 or another thickness meant" + " (constant/particleProperties)?");
+}
 
 Vector readPoint(Dictionary const& dict, std::string const& key, int dimensions)
 {

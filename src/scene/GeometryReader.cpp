@@ -27,7 +27,9 @@ std::map<std::string, NamedShape> readShapes(Dictionary const& geometry, Geometr
     for (std::string const& name : geometry.dictKeys())
     {
         Dictionary const dict = geometry.subDict(name);
-        auto const shape = shapes.make(dict.get<std::string>("type"), dict.where("type"), dict, context);
+        auto const type = dict.get<std::string>("type");
+        refuseInPlane(dict.where("type"), "surface type", type, shapes.names(), shapes3D().names());
+        auto const shape = shapes.make(type, dict.where("type"), dict, context);
         Location const where = dict.where(dict.found("points") ? "points" : "");
         all.emplace(name, NamedShape{*shape, where});
     }

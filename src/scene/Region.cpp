@@ -186,6 +186,11 @@ std::unique_ptr<Region> makeBox(Dictionary const& dict, RegionCase const& of)
     Vector const a = asPair ? readVectorSequence(dict, "box", 2)[0] : readFinite(dict, "min");
     Vector const b = asPair ? readVectorSequence(dict, "box", 2)[1] : readFinite(dict, "max");
     Vector const low = a.cwiseMin(b), size = b.cwiseMax(a) - low;
+    if (inPlane)
+        warnOfDepth(dict.where(asPair ? "box" : "min"), "the box", size.z(), of.lattice, true);
+    else
+        require(size.z() > 0 || !(size.x() * size.y() > 0), dict.where(asPair ? "box" : "min"), "a box without extent in z",
+                "corners that differ in x, in y and in z; or dimensions 2 in constant/particleProperties");
     return std::make_unique<BoxRegion>(of.lattice.dimensions, inPlane ? flat(low) : low, Vector(size.x(), 0, 0), Vector(0, size.y(), 0),
                                        Vector(0, 0, inPlane ? 1 : size.z()), dict.where(asPair ? "box" : "min"));
 }
@@ -219,8 +224,9 @@ std::unique_ptr<Region> makeSphere(Dictionary const& dict, RegionCase const& of)
 
 std::unique_ptr<Region> makeSurface(Dictionary const& dict, RegionCase const& of)
 {
-    require(of.lattice.dimensions == 3, dict.where(), "surfaceToParticle in a case of two dimensions",
-            "dimensions 3; or one of the other regions");
+    if (of.lattice.dimensions == 2)
+        refuseInPlane(dict.where(), "region", "surfaceToParticle",
+                      {"boxToParticle", "rotatedBoxToParticle", "cylinderToParticle", "sphereToParticle"}, {"surfaceToParticle"});
     return std::make_unique<SurfaceRegion>(readSurfaceFile(dict, of.folder, "region", Skin::Closed, of.lattice.spacing));
 }
 
@@ -251,7 +257,7 @@ std::vector<std::unique_ptr<Region>> readRegions(Dictionary const& setParticlesD
         auto region = regionRegistry().make(type, dict.where(), dict, of);
         region->type = type;
         region->where = dict.where();
-        region->values = readFieldValues(dict, "fieldValues");
+        region->values = readFieldValues(dict, "fieldValues", lattice.dimensions);
         regions.push_back(std::move(region));
     }
     return regions;

@@ -4,6 +4,7 @@
 #include "core/Timers.h"
 #include "io/Checkpoint.h"
 #include "scene/BodyReader.h"
+#include "scene/EntryText.h"
 #include "scene/InitialChecks.h"
 #include "scene/InputFingerprint.h"
 #include "scene/StartChecks.h"
@@ -141,6 +142,10 @@ void Scene::buildFluid()
 std::unique_ptr<ContactModel> Scene::makeContacts(std::vector<RigidBody*> const& bodies) const
 {
     Real const spacing = dicts_.lattice.spacing;
+    Dictionary const stoppers = dicts_.contact->subDictOrEmpty("stoppers");
+    for (std::string const& name : stoppers.dictKeys())
+        for (char const* key : {"point", "normal"})
+            if (stoppers.subDict(name).found(key)) static_cast<void>(readPoint(stoppers.subDict(name), key, dicts_.lattice.dimensions));
     std::vector<ContactShape> shapes;
     for (std::size_t k = 0; k < bodies.size(); ++k)
         shapes.push_back(discRadii_[k] > 0     ? ContactShape::disc(discRadii_[k])

@@ -38,12 +38,15 @@ std::unique_ptr<SurfaceShape> lineShape(Dictionary const& dict, std::vector<Vect
 
 std::unique_ptr<SurfaceShape> makePolyline(Dictionary const& dict, GeometryContext const&)
 {
+    refuseInPlane(dict, {"zRange", "sideWalls"});
     return lineShape(dict, readPoints(dict, "points"), dict.getOr<bool>("closed", false), alongSides, "left");
 }
 
-std::unique_ptr<SurfaceShape> makeBox(Dictionary const& dict, GeometryContext const&)
+std::unique_ptr<SurfaceShape> makeBox(Dictionary const& dict, GeometryContext const& context)
 {
     Vector const a = readFlat(dict, "min"), b = readFlat(dict, "max");
+    Real const depth = dict.get<Vector>("max").z() - dict.get<Vector>("min").z();
+    warnOfDepth(dict.where("max"), "the box", std::abs(depth), context.lattice, false);
     require(a.x() < b.x() && a.y() < b.y(), dict.where("max"), "a box whose max is not above its min", "min < max in x and y");
 
     // Counter-clockwise from the lower left corner; side k runs from corner k to corner k + 1.
@@ -107,6 +110,7 @@ std::vector<bool> readOpenSides(Dictionary const& dict, std::vector<std::string>
     for (std::string const& word : dict.getOr<std::vector<std::string>>("open", {}))
     {
         auto const found = std::find(names.begin(), names.end(), word);
+        refuseInPlane(dict.where("open"), "side", word, names, {"back", "front"});
         require(found != names.end(), dict.where("open"), "a box has no side \"" + word + "\"", knownWords("sides", word, names));
         open[static_cast<std::size_t>(found - names.begin())] = true;
     }

@@ -58,7 +58,7 @@ std::unique_ptr<SurfaceShape> makePolyline(Dictionary const& dict, GeometryConte
 std::unique_ptr<SurfaceShape> makeBox(Dictionary const& dict, GeometryContext const&)
 {
     Vector const a = readFinite(dict, "min"), b = readFinite(dict, "max");
-    require((a.array() < b.array()).all(), dict.where("max"), "a box whose max is not above its min", "min < max in x, y and z");
+    requireBoxInSpace(a, b, dict.where("max"));
     std::vector<bool> const words = readOpenSides(dict, {"left", "right", "bottom", "top", "back", "front"});
     std::array<bool, 6> open{};
     std::copy(words.begin(), words.end(), open.begin());
@@ -119,6 +119,9 @@ std::unique_ptr<SurfaceShape> makeRaster(Dictionary const& dict, GeometryContext
 
 std::pair<Real, Real> readZRange(Dictionary const& dict)
 {
+    if (!dict.found("zRange")) dict.refuseMisspelt({"zRange"});
+    require(dict.found("zRange"), dict.where(dict.found("points") ? "points" : ""), "the entry zRange is missing",
+            "zRange (low high); over which the line stands in z; or dimensions 2 in constant/particleProperties");
     auto const range = dict.get<std::vector<Real>>("zRange");
     require(range.size() == 2 && std::isfinite(range[0]) && std::isfinite(range[1]) && range[0] < range[1], dict.where("zRange"),
             "zRange is no range of z", "two rising numbers: zRange (0 0.5);");

@@ -82,6 +82,7 @@ std::vector<Fault> const faults{
     {contact, "e 0.2;", "e 0.2; restitution 0.2;", 3, "restitution"},
     {contact, "e 0.2;", "e 0.2; stiffness soft;", 3, "soft"},
     {contact, "e 0.2;", "e 0.2; pairs { \"slide:bedd\" { mu 0.1; } }", 3, "bedd"},
+    {contact, "normal (-1 1 0)", "normal (-1 1 1)", 4, "normal leaves the x-y plane"},
     {contact, "type latch;", "type latsch;", 4, "latch"},
     {contact, "body slide;", "body slied;", 4, "slied"},
     {transport, "nu 1e-6;", "transportModel Bingham; nu 1e-6;", 2, "Bingham"},

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/Log.h"
+#include "core/OnceLog.h"
 
 #include "support/FunctionObjectScene.h"
 
@@ -72,6 +73,24 @@ TEST(Probes, AreNoNumberWhereThereIsNothing)
     EXPECT_TRUE(std::isnan(scene.table("watch/0/U.dat").column("U0x")[0]));
     EXPECT_EQ(scene.table("watch/0/count.dat").column("count0")[0], 0);
     EXPECT_THROW(makeFunctionObject("type probes; probeLocations ((1 3 0)); fields (q);", context), CaseError);
+}
+
+TEST(Probes, ZDoesNotCountInAPlaneAndIsToldSo)
+{
+    FunctionObjectScene scene({2, 0.1, 1});
+    fillTank(scene);
+    RunContext const context = scene.context();
+    for (std::string const entries : {"type probes; probeLocations ((1 0.5 0.4));", "type interfaceHeight; locations ((1 0 0.4));"})
+    {
+        forgetShown();
+        testing::internal::CaptureStdout();
+        makeFunctionObject(entries, context)->write({1, 0.5, 0.1, false});
+        std::string const log = testing::internal::GetCapturedStdout();
+        EXPECT_NE(log.find("ocations does not count in a case of two dimensions"), std::string::npos) << log;
+    }
+    EXPECT_GT(scene.table("watch/0/count.dat").column("count0")[0], 0);
+    EXPECT_FALSE(std::isnan(scene.table("watch/0/height.dat").column("eta0")[0]));
+    EXPECT_THROW(makeFunctionObject("type probes; probeLocations ((1 1e400 0));", context), CaseError);
 }
 
 TEST(Probes, OutsideOfWallsAndFluidAreWarnedOf)
