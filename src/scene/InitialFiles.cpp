@@ -3,11 +3,13 @@
 #include <cstdint>
 
 #include "core/Errors.h"
+#include "core/Log.h"
 #include "io/Checkpoint.h"
 #include "io/OutputFile.h"
 #include "io/VtkFile.h"
 #include "scene/InputFingerprint.h"
 #include "scene/Output.h"
+#include "scene/Scene.h"
 #include "scene/StartChecks.h"
 
 namespace mpsDem {
@@ -44,7 +46,30 @@ void writeOutline(std::filesystem::path const& path, Surface const& outline, Rea
     writeSurface(path, surface, time);
 }
 
+State initialState(SceneDefinition const& definition, InitialScene const& scene)
+{
+    State state = scene.state(definition);
+    saveKernelRadius(state, definition.kernelRadius);
+    return state;
+}
+
+/// The log says nothing while it lives.
+struct Silence
+{
+    Silence() { muteLog(true); }
+    ~Silence() { muteLog(false); }
+    Silence(Silence const&) = delete;
+    Silence& operator=(Silence const&) = delete;
+};
+
 } // namespace
+
+void requireRunnable(CaseFolder const& caseFolder, SceneDefinition const& definition, InitialScene const& scene)
+{
+    Silence const silence; // the run tells its notes and warnings itself
+    State const state = initialState(definition, scene);
+    Scene const run(caseFolder, {.functionObjects = true, .initial = &state});
+}
 
 std::string inputFingerprint(CaseFolder const& caseFolder, std::filesystem::path const& setParticlesDict)
 {
@@ -66,9 +91,7 @@ void writeInitialFiles(CaseFolder const& caseFolder, SceneDefinition const& defi
     bool const isNew = !std::filesystem::exists(folder);
     try
     {
-        State state = scene.state(definition);
-        saveKernelRadius(state, definition.kernelRadius);
-        writeInitialState(folder, state, info);
+        writeInitialState(folder, initialState(definition, scene), info);
         if (scene.particles.size() > 0) writeParticles(folder / "particles.vtp", scene, definition.startTime);
         for (Surface const& outline : scene.placed) writeOutline(folder / (outline.name() + ".vtp"), outline, definition.startTime);
         atomicWrite(folder / "report.txt", report);

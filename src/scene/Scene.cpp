@@ -55,7 +55,8 @@ Scene::Scene(CaseFolder const& caseFolder, Options const& options)
       timeStep_(std::make_unique<TimeStep>(dicts_.control, dicts_.lattice)),
       particles_(dicts_.lattice)
 {
-    State const start = findStart(case_, *time_, dicts_.lattice);
+    State const saved = options.initial ? State() : findStart(case_, *time_, dicts_.lattice);
+    State const& start = options.initial ? *options.initial : saved;
     readStart(start);
     checkSpacing(particles_);
     checkStart(start);

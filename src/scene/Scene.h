@@ -27,6 +27,7 @@ public:
     struct Options
     {
         bool functionObjects = true;
+        State const* initial = nullptr; ///< To be started from instead of what the case has saved.
     };
 
     /// Reads the case and the state that the run starts from (the newest valid checkpoint or the initial state).

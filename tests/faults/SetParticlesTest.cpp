@@ -1,3 +1,4 @@
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -326,6 +327,30 @@ TEST(SetParticlesFaults, WallsInMillimetresAmongMetresAreWarnedOf)
     EXPECT_NE(large.find("times those of the fluid, 400: " + question), std::string::npos) << large;
     EXPECT_EQ(logOf("(0 1.2 0) (0 0 0) (2 0 0) (2 1.2 0)", "2 1").find(question), std::string::npos);
     EXPECT_EQ(logOf("(0 1.2 0) (0 0 0) (20 0 0) (20 1.2 0)", "0.4 0.4").find(question), std::string::npos) << "a long dry flume";
+}
+
+// What mpsDemFoam would refuse is refused before anything is written, with the place; a dictionary that is absent is no fault.
+TEST(SetParticlesFaults, DictionariesOfTheRunAreCheckedBeforeAnythingIsWritten)
+{
+    for (auto const& [file, content, said] : std::vector<std::array<std::string, 3>>{
+             {"constant/transportProperties", "nuu 1e-6; rho 1000;", "did you mean nu?"},
+             {"constant/transportProperties", "nu nan; rho 1000;", "nan"},
+             {"constant/transportProperties", "nu -1; rho 1000;", "nu is negative"},
+             {"constant/contactProperties", "mu -1;", "mu"},
+             {"system/controlDict", "endTime 1; deltaT -1;", "deltaT"},
+             {"system/controlDict", "endTime 1; deltaT 1e-3; functions { a { type proves; } }", "did you mean probes?"},
+             {"system/mpsSchemes", "kernell { }", "did you mean kernel?"},
+             {"system/mpsSolution", "solvers { p { tolerance 0; } }", "tolerance"}})
+    {
+        SmallCase const testCase;
+        testCase.write(file, content);
+        EXPECT_EQ(runApplication(testCase), 2) << file << ": " << content;
+        std::string const log = readBytes(testCase.root() / "log");
+        for (std::string const& piece : {said, "file: " + file, std::string("at line 4.")})
+            EXPECT_NE(log.find(piece), std::string::npos) << piece << '\n' << log;
+        EXPECT_FALSE(std::filesystem::exists(testCase.root() / "0")) << file;
+        EXPECT_FALSE(std::filesystem::exists(testCase.root() / "postProcessing")) << file;
+    }
 }
 
 TEST(SetParticlesFaults, AFullDiskLeavesNothingBehind)

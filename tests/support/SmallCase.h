@@ -14,7 +14,7 @@ class SmallCase
 public:
     SmallCase()
     {
-        write("system/controlDict", "endTime 1;");
+        write("system/controlDict", "endTime 1; deltaT 1e-3;");
         write("constant/particleProperties", "spacing 0.05; thickness 0.5;");
         write("constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 -10 0);", "uniformDimensionedVectorField");
         write("constant/transportProperties", "nu 1e-6; rho 1000;");

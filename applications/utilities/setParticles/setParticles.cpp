@@ -48,6 +48,7 @@ int setParticles(CommandLine const& line)
     std::string const doubt = doubtfulScale(scene);
     if (!doubt.empty()) warn(doubt);
 
+    requireRunnable(caseFolder, definition, scene);
     if (overwrite) clearCheckpoints(checkpoints, true);
     writeInitialFiles(caseFolder, definition, scene, report, fingerprint);
     info() << "Wrote " << timeName(definition.startTime) << "/\n\nEnd\n\n";
