@@ -14,6 +14,7 @@ namespace {
 
 constexpr int samplesAside2D = 128;
 constexpr int samplesAside3D = 32;
+constexpr Real likelySlip = 1000; ///< Extent of a surface in spacings from which on its file may be in millimetres.
 constexpr Real toSet = 400;       ///< Bytes a particle: 340 measured in 2-D, 380 in 3-D, 143 000 and 249 000 particles.
 constexpr Real toRun = 1800;      ///< Bytes a particle: 1590 and 1770 in the same cases, tanks with a ramp, standard schemes.
 constexpr Real mostNumbers = 2e9; ///< Particles are numbered by 32 bits.
@@ -108,8 +109,9 @@ SizeEstimate estimateSize(SceneDefinition const& definition)
 std::string largeSurface(SceneDefinition const& definition, SizeEstimate const& size)
 {
     Real const half = 0.5 * size.total();
-    auto const text = [](std::string const& kind, Surface const& surface, Location const& where) {
+    auto const text = [&](std::string const& kind, Surface const& surface, Location const& where) -> std::string {
         Real const extent = (surface.triangles().high() - surface.triangles().low()).maxCoeff();
+        if (extent < likelySlip * definition.lattice.spacing) return {};
         return "most are those of " + kind + " \"" + surface.name() + "\" (" + where.str() + "), which measures " + rounded(extent) +
                " m: are the numbers of its file millimetres (scale 0.001)?";
     };

@@ -96,7 +96,7 @@ TEST(HardBodies, restsOnASlope)
 // the block, and its energy rises, by 1.41 % with a dry contact face and 1.69 % with pore pressure; then it stays.
 TEST(HardBodies, restsOnASlopeUnderWater) { restUnderWater(2); }
 
-// Measured: 1.40 with a dry contact face, 1.37 with pore pressure, that is 7 % of the water's weight throughout the 20 s; without the block 0.063
+// Measured: 1.40 with a dry contact face, 1.37 with pore pressure (set waves: 1.25, 1.39), that is 7 % of the water's weight throughout the 20 s; without the block 0.063
 // in 20 s. It belongs to the body and to the spacing: it points off the slope and grows evenly, by 0.062 a second at a spacing of 0.05 m
 // and 0.031 at 0.025 m (in 5 s). Tried in 5 s: without dynamic labelling 0.067 a second. Without the block, in 20 s: no shifting 0.99, p = 0 at the centre
 // of surface particles 1.23, eq 4 0.23, no surface damping 0.24. So it is what water and body do not get from each other (Gradient and PI).

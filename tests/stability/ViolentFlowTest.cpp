@@ -65,7 +65,7 @@ TEST(ViolentFlow, damBreaks) { damBreak(plain); }
 // H10: the limits of the step twice and four times as wide as by default. Energy rises by 0.9 and 1.3 %. Without redo of steps, 9 of 12 runs
 // with the longest steps and columns of 0.48 to 0.7 m lost particles through the wall; with it 2 do.
 DamBreak const twice{"dam break, dt x 2", "maxCo 0.5; maxPressureCo 0.5;", 4e-3, 0, 0.02, 0.02, 0.06};
-DamBreak const fourTimes{"dam break, dt x 4", "maxCo 1; maxPressureCo 1;", 8e-3, 0, 0.02, 0.15, 0.08};
+DamBreak const fourTimes{"dam break, dt x 4", "maxCo 1; maxPressureCo 1;", 8e-3, 0, 0.02, 0.15, 0.1};
 TEST(ViolentFlow, standsStepsTwiceAsLong) { damBreak(twice); }
 TEST(ViolentFlow, standsStepsFourTimesAsLong) { damBreak(fourTimes); }
 
@@ -73,7 +73,7 @@ TEST(ViolentFlow, standsStepsFourTimesAsLong) { damBreak(fourTimes); }
 DamBreak const disordered{"dam break, jitter 0.3", "", 2e-3, 0.3, 0.02, 0, 0.04};
 TEST(ViolentFlow, startsFromDisorder) { damBreak(disordered); }
 
-// Measured: 0.035, 0.049, 0.067 and 0.033 in 1.5 s. The surge along the floor and its run-up at the far wall are layers of a few particles:
+// Measured: 0.037, 0.055, 0.085 and 0.036 in 1.5 s (0.035, 0.049, 0.067 and 0.033 before the walls' collisions were counted). The surge along the floor and its run-up at the far wall are layers of a few particles:
 // the forces that the corrected gradient gives them are not those that the walls' pressures sum to.
 TEST(ViolentFlow, DISABLED_damBreaksKeepMomentum)
 {

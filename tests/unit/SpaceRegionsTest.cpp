@@ -319,7 +319,7 @@ TEST_F(SpaceRegions, RastersOfHeightsAreSurfacesToo)
 
 TEST_F(SpaceRegions, WrongRegionsAreRefusedByName)
 {
-    EXPECT_NE(messageOf("boxToParticle { box (0 0 0) (1 1 0); }").find("without volume"), std::string::npos);
+    EXPECT_NE(messageOf("boxToParticle { box (0 0 0) (1 0 1); }").find("without volume"), std::string::npos);
     EXPECT_NE(messageOf("rotatedBoxToParticle { origin (0 0 0); i (1 0 0); j (0 1 0); k (1 1 0); }").find("without volume"),
               std::string::npos);
     EXPECT_NE(messageOf("rotatedBoxToParticle { origin (0 0 0); i (1 0 0); j (0 1 0); }").find("k"), std::string::npos);
