@@ -13,8 +13,8 @@ namespace mpsDem {
 /// A stage asks for its entry once, in its constructor, and adds to it. A budget reads whatever entries exist, so an effect that is off has none.
 ///   energy:  "energy/collision", "energy/contactDissipated", "energy/contactStored",
 ///            "energy/latch", "energy/walls" (taken by WallGuard in 3-D)
-///   impulse: "impulse/gravityOnBodies", "impulse/contactAndSupport", "impulse/collisionWithWalls"; only for an observer that asks: "impulse/gravityOnFluid",
-///            "impulse/walls" (all from outside on water plus bodies)
+///   impulse: "impulse/gravityOnBodies", "impulse/contactAndSupport", "impulse/collisionWithWalls"; only for an observer that asks:
+///            "impulse/gravityOnFluid", "impulse/walls" (all from outside on water plus bodies)
 /// A new entry of a stage belongs in the list in Ledger.cpp, too.
 class Ledger
 {

@@ -10,7 +10,8 @@ namespace mpsDem {
 /// `type momentumBudget;`: does the momentum of water and bodies change by the impulses that act on them from outside? No keys of its own.
 ///
 /// \f[ \mathbf R = \mathbf P(t)-\mathbf P(0)-\sum_k\mathbf J_k,\qquad \mathbf P=\sum_i m\,\mathbf u_i+\sum_b M_b\mathbf V_b \f]
-/// (and what struck particles of water still have to hand over to a body) with the external impulses J_k of the ledger (gravity, walls, contact and supports). Pressure between water and bodies is internal:
+/// with the external impulses J_k of the ledger (gravity, walls, collisions with walls, contact and supports). M_b V_b includes what particles that
+/// struck a body still have to hand over to it. Pressure between water and bodies is internal:
 /// what the two sides feel differently appears in R.
 /// P(0) and the sums J_k are those of the first run with this object: one that is added to a run at its restart begins there, with J_k = 0, and
 /// the head of the table tells the time.

@@ -8,7 +8,7 @@ namespace mpsDem {
 enum class SchemeSet
 {
     Standard, ///< Hybrid corrected gradient, relaxation time, shifting, cone surface test.
-    Waves,    ///< Standard, with sources, damping and collisions for waves and for slides that make them; not for impacts.
+    Waves,    ///< Standard, with sources, damping and collisions for waves and the slides that make them.
     Paper     ///< The paper's own equations read literally.
 };
 
