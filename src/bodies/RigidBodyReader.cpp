@@ -61,7 +61,7 @@ void readVelocity(Dictionary const& dict, RigidBody& body)
     }
     Matrix6 const free = body.freeProjection();
     auto const fits = [](Tensor const& projection, Vector const& v) { return (projection * v - v).norm() <= 1e-6 * v.norm(); };
-    std::string const allowed = "a velocity along the free directions (2-D: translation in x and y, rotation about z)";
+    std::string const allowed = "a velocity along the free directions (2-D: translation in x and y, rotation about z; or dimensions 3)";
     require(fits(free.topLeftCorner<3, 3>(), velocity), dict.where("velocity"), "velocity is against the constraints", allowed);
     require(fits(free.bottomRightCorner<3, 3>(), angularVelocity), dict.where(byMomentum ? "angularMomentum" : "angularVelocity"),
             "angular velocity is against the constraints", allowed);

@@ -40,6 +40,9 @@ public:
     /// Changes u and r (by dt du) of the fluid after it has moved; adds the kinetic energy taken, and the impulse of fixed walls, to the ledger.
     void apply(ParticleSet& particles, NeighbourList const& neighbours, PeriodicImages const& images, Real dt);
 
+    /// Whether particles meet the planes of walls, or their particles.
+    [[nodiscard]] bool alongNormal() const { return alongNormal_; }
+
     /// What a body gets in a step.
     struct Impulse
     {

@@ -30,6 +30,8 @@ public:
     /// @param gradientRadius  [m]. @param density  rho [kg/m3].
     PressureSource(Dictionary const& sourceSchemes, SchemeSet set, Lattice const& lattice, Real gradientRadius, Real density);
 
+    /// tau [s]; 0 where gamma is fixed, or no error of the density is corrected.
+    [[nodiscard]] Real relaxationTime() const { return type_ == Type::Divergence ? 0 : relaxationTime_; }
     [[nodiscard]] bool corrected() const { return corrected_; }
     [[nodiscard]] bool smooth() const { return smooth_.has_value(); }
 

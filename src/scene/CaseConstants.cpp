@@ -52,7 +52,7 @@ Lattice readLattice(Dictionary const& particleProperties)
             "dimensions " + std::to_string(lattice.dimensions) + " is not supported", "2 (the x-y plane) or 3");
     lattice.spacing = readPositive(particleProperties, "spacing");
     require(lattice.dimensions == 2 || !particleProperties.found("thickness"), particleProperties.where("thickness"),
-            "thickness is the width of a 2-D case", "leave it out in 3-D");
+            "thickness is the width of a 2-D case", "leave it out in 3-D; or dimensions 2");
     if (particleProperties.found("thickness")) lattice.thickness = readPositive(particleProperties, "thickness");
     particleProperties.requireAllRead();
     return lattice;

@@ -119,8 +119,8 @@ void reportOutlook(std::ostream& out, SceneDefinition const& definition, Initial
     line(out, "submerged weight") << outlook.submergedWeight << " N, (m - rho V) g, of " << weight << " N in air\n";
     if (definition.density > 0 && outlook.submergedWeight <= 0)
     {
-        line(out, "outlook") << "floats: it is lighter than the fluid it displaces\n";
-        warn("body \"" + body.name() + "\" is not heavier than the fluid it displaces: it floats");
+        line(out, "outlook") << "floats where the fluid is deep enough: it is less dense\n";
+        warn("body \"" + body.name() + "\" is less dense than the fluid: it floats where that is deep enough");
         return;
     }
     bool const supported = outlook.support.other >= 0 && outlook.support.distance < definition.lattice.spacing;

@@ -45,7 +45,7 @@ void Scene::listEffects()
     effects_.add("redo of steps", guard_->redoes(),
                  on && !guard_->redoes() ? "adjustTimeStep no: steps are watched only"
                  : given                 ? std::string("controlDict/redoSteps: active ") + (on ? "yes" : "no")
-                         : "default of schemeSet " + std::string(nameOf(readSchemeSet(dicts_.schemes.value_or(Dictionary())))));
+                                         : std::string("default of controlDict/redoSteps") + (on ? "" : " with schemeSet paper"));
     bool const observed = observers_ && !observers_->empty();
     Dictionary const functions = dicts_.control.subDictOrEmpty("functions");
     effects_.add("function objects", observed,
@@ -77,8 +77,14 @@ void Scene::listFluidEffects()
     PressureSource const& source = fluid_->source();
     effects_.add("corrected divergence", source.corrected(), entryOf(dicts_.schemes, "sourceSchemes", "divergence"));
     effects_.add("smooth density", source.smooth(), entryOf(dicts_.schemes, "sourceSchemes", "density"));
+    effects_.add("relaxation of density", source.relaxationTime() > 0,
+                 (source.relaxationTime() > 0 ? "within " + shortNumber(source.relaxationTime()) + " s, " : std::string()) +
+                     entryOf(dicts_.schemes, "sourceSchemes", "relaxationTime"));
     effects_.add("velocity damping", fluid.velocityDamping() != nullptr, entryOf(dicts_.schemes, "velocityDamping", "type"));
     effects_.add("collision", fluid.collision() != nullptr, entryOf(dicts_.schemes, "collisionSchemes", "type"));
+    if (fluid.collision())
+        effects_.add("collision along normals of walls", fluid.collision()->alongNormal(),
+                     entryOf(dicts_.schemes, "collisionSchemes", "walls"));
     effects_.add("shifting", fluid.shifting() != nullptr, entryOf(dicts_.schemes, "shiftingSchemes", "type"));
 }
 
