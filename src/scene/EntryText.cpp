@@ -155,8 +155,8 @@ void warnOfDepth(Location const& where, std::string const& what, Real depth, Lat
     if (!(depth > 0) || std::abs(depth - lattice.thickness) <= 1e-6 * lattice.thickness) return;
     if (more && depth > lattice.thickness) return;
     warnOnce(where.str() + ": " + what + " reaches over " + shortNumber(depth) +
-             " m in z, which does not count in a case of two dimensions; " + "its thickness, 1 m unless given, is " +
-             shortNumber(lattice.thickness) + " m: is dimensions 3 or another thickness meant" + " (constant/particleProperties)?");
+             " m in z, which does not count in a case of two dimensions; " + "its thickness is " + shortNumber(lattice.thickness) +
+             " m: is dimensions 3 or another thickness meant" + " (constant/particleProperties)?");
 }
 
 Vector readPoint(Dictionary const& dict, std::string const& key, int dimensions)

@@ -30,8 +30,15 @@ StopRequest::StopRequest(std::filesystem::path caseRoot)
 {
     std::signal(SIGUSR1, askWrite);
     for (int const signal : {SIGUSR2, SIGTERM, SIGINT}) std::signal(signal, askStop);
-    controlTime_ = std::filesystem::last_write_time(controlFile_);
-    controlSize_ = std::filesystem::file_size(controlFile_);
+    std::error_code ignored;
+    read_ = seen_ = stampOfControl(ignored);
+}
+
+StopRequest::Stamp StopRequest::stampOfControl(std::error_code& error) const
+{
+    auto const time = std::filesystem::last_write_time(controlFile_, error);
+    if (error) return {};
+    return {time, std::filesystem::file_size(controlFile_, error)};
 }
 
 void StopRequest::serve(Scene& scene, double clockSeconds)
@@ -55,11 +62,12 @@ void StopRequest::rereadControl(Scene& scene)
 {
     if (!scene.time().modifiable()) return;
     std::error_code error;
-    auto const time = std::filesystem::last_write_time(controlFile_, error);
-    auto const size = std::filesystem::file_size(controlFile_, error);
-    if (error || (time == controlTime_ && size == controlSize_)) return;
-    controlTime_ = time;
-    controlSize_ = size;
+    Stamp const now = stampOfControl(error);
+    if (error || now == read_) return;
+    bool const still = now == seen_;
+    seen_ = now;
+    if (!still) return;
+    read_ = now;
     try
     {
         Dictionary const dict = Dictionary::fromFile(controlFile_, root_);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <system_error>
 
 namespace mpsDem {
 
@@ -22,11 +23,19 @@ public:
     void serve(Scene& scene, double clockSeconds);
 
 private:
+    /// By which an edited file is known.
+    struct Stamp
+    {
+        std::filesystem::file_time_type time;
+        std::uintmax_t size = 0;
+        bool operator==(Stamp const&) const = default;
+    };
+    /// @param error  Set where the file cannot be looked at.
+    [[nodiscard]] Stamp stampOfControl(std::error_code& error) const;
     void rereadControl(Scene& scene);
 
     std::filesystem::path root_, stopFile_, controlFile_;
-    std::filesystem::file_time_type controlTime_;
-    std::uintmax_t controlSize_;
+    Stamp read_, seen_; ///< Of controlDict when it was read, and at the last look: a file that is still being written is left alone.
 };
 
 } // namespace mpsDem
