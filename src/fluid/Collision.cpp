@@ -32,7 +32,8 @@ void Collision::clearReactions(ParticleSet const& particles)
 {
     fromWalls_.setZero();
     int last = static_cast<int>(reactions_.size()) - 1;
-    for (int j : particles.boundary()) last = std::max(last, particles.body[j]);
+    if (reactions_.empty()) // the bodies of a case never change
+        for (int j : particles.boundary()) last = std::max(last, particles.body[j]);
     reactions_.assign(static_cast<std::size_t>(last + 1), Impulse{});
 }
 

@@ -16,6 +16,31 @@ struct Crest
     Real height = 0; ///< Of the crest above the water at rest [m].
 };
 
+/// Celerity of a solitary wave, third order [m/s]: c^2 = g h (1 + e - e^2/20 - 3 e^3/70), e = height/depth (Grimshaw 1971).
+inline Real solitaryCelerity(Real depth, Real height)
+{
+    Real const e = height / depth;
+    return std::sqrt(9.81 * depth * (1 + e - e * e / 20 - 3 * e * e * e / 70));
+}
+
+/// Places over times; celerity: slope of the straight line of least squares through them [m/s], no number for less than two.
+class CrestPath
+{
+public:
+    void add(Real time, Real place)
+    {
+        n_ += 1;
+        t_ += time;
+        x_ += place;
+        tt_ += time * time;
+        tx_ += time * place;
+    }
+    [[nodiscard]] Real celerity() const { return (n_ * tx_ - t_ * x_) / (n_ * tt_ - t_ * t_); }
+
+private:
+    Real n_ = 0, t_ = 0, x_ = 0, tt_ = 0, tx_ = 0;
+};
+
 /// Looks for it between two places [m]. @param depth  Of the water at rest, above y = 0 [m]. Where there is no wave, it is no number.
 inline Crest findCrest(ParticleSet const& particles, Real depth, Real from, Real to, Real reach)
 {

@@ -1,8 +1,7 @@
 // A heavy box falls into the end of a channel and makes a solitary wave: Scott Russell's generator, tutorials/landslide/scottRussell2D.
 //
-// Celerity of a solitary wave of height a = e h, Grimshaw (1971), third order: c^2 = g h (1 + e - e^2/20 - 3 e^3/70). Box: speed V of its lower
-// side at the height Y over the bottom, V/sqrt(g h) = 1.03 (Y/h) (1 - Y/h)^(1/2), fitted to their experiments by Monaghan and Kos (2000). RECALLED: their
-// paper was not at hand, so the fit, the measures of the box and their crest of 0.0964 m are from memory.
+// Speed V of its lower side at the height Y over the bottom, V/sqrt(g h) = 1.03 (Y/h) (1 - Y/h)^(1/2), fitted to their experiments by Monaghan and
+// Kos (2000). RECALLED: their paper was not at hand, so the fit, the measures of the box and their crest of 0.0964 m are from memory.
 
 #include <cmath>
 
@@ -13,7 +12,7 @@ namespace mpsDem::test {
 
 namespace {
 
-constexpr Real g = 9.81, depth = 0.21, dip = 0.005, hold = 0.2;
+constexpr Real g = 9.81, depth = 0.21, hold = 0.2;
 constexpr Real measuredCrest = 0.0964; ///< Recalled [m].
 
 void writeGenerator(RunCase& run)
@@ -45,7 +44,8 @@ Generated generate(Real rows)
     writeGenerator(run);
     run.control(2.3 + hold, 2e-3).make();
     Generated found;
-    Real n = 0, t = 0, x = 0, tt = 0, tx = 0, next = 0;
+    CrestPath path;
+    Real next = 0;
     run.run([&](Scene const& scene, Step const& step) {
         RigidBody const& box = *scene.bodies()[0];
         Real const low = box.centre().y() - 0.2;
@@ -57,24 +57,14 @@ Generated generate(Real rows)
         Crest const now = findCrest(scene.particles(), depth, 1, 5, 0.6 * depth);
         if (!(now.height > 0.3 * depth && now.place >= 2 && now.place <= 4)) return;
         found.height.add(now.height);
-        n += 1;
-        t += step.time;
-        x += now.place;
-        tt += step.time * step.time;
-        tx += step.time * now.place;
+        path.add(step.time, now.place);
     });
-    found.celerity = (n * tx - t * x) / (n * tt - t * t);
+    found.celerity = path.celerity();
     std::printf(
         "    %g rows: crest %.4f to %.4f m, mean %.4f m; celerity %.3f m/s; lower side of the box at least %.4f m above the floor\n", rows,
         found.height.least(), found.height.largest(), found.height.mean(), found.celerity, found.deepest);
     expectBelow("Scott Russell: particles lost", static_cast<Real>(run.scene().fluid()->escaped()), 0);
     return found;
-}
-
-Real celerityOf(Real height)
-{
-    Real const e = height / depth;
-    return std::sqrt(g * depth * (1 + e - e * e / 20 - 3 * e * e * e / 70));
 }
 
 void makesAWaveThatStays(Real rows)
@@ -97,13 +87,13 @@ TEST(ScottRussellGate, makesAWaveThatStaysWithThirtyRows) { makesAWaveThatStays(
 // Measured: celerity -4.4, -2.6 and -2.8 % with 10, 20 and 30 rows, height 0.110, 0.115 and 0.120 m, that is 14 to 24 % above the crest that is recalled of the
 // experiment. The wave is still about to become a solitary one: it is followed by water that is 0.02 m lower, and it holds more water
 // than the box pushes away: a solitary wave of 0.12 m 0.077 m2, the box 0.062 m2. The plunging jet beside the box shuts in a pocket of
-// 0.012 m2, in truth of air, and lifts the wave by as much. Negative pressures kept below the surface: 0.138 m (20 rows).
+// up to 0.015 m2 (20 rows, 0.52 s; gone at 0.92 s), in truth of air. Negative pressures kept below the surface: 0.138 m (20 rows).
 // Whether water came past the box in its channel, and how the box was let go, is not known here.
 TEST(ScottRussellGate, DISABLED_makesTheWaveOfTheExperiment)
 {
     Generated const found = generate(30);
-    expectBelow("Scott Russell: celerity over that of a solitary wave, difference", found.celerity / celerityOf(found.height.mean()) - 1,
-                0.02);
+    expectBelow("Scott Russell: celerity over that of a solitary wave, difference",
+                found.celerity / solitaryCelerity(depth, found.height.mean()) - 1, 0.02);
     expectBelow("Scott Russell: height over the crest of the experiment (recalled), difference", found.height.mean() / measuredCrest - 1,
                 0.05);
 }
