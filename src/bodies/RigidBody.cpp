@@ -53,7 +53,7 @@ void RigidBody::addCollisions(Load const& impulse, Real amount, Real rate)
     collisions_ += impulse;
 }
 
-Load RigidBody::takeCollisions(Real dt)
+Load RigidBody::handOverCollisions(Real dt)
 {
     Real const share = std::min(Real(1), dt * collisionRate_);
     Load const mean = share / dt * collisions_;

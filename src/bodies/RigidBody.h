@@ -55,9 +55,9 @@ public:
     /// @param impulse [N s], [N m s] about the centre. @param amount  Sum of the single impulses' sizes [N s]. @param rate [1/s].
     void addCollisions(Load const& impulse, Real amount, Real rate);
     /// The mean force of such impulses over the next dt [s]: they are handed over by this.
-    Load takeCollisions(Real dt);
-    /// What is left of them [N s], [N m s].
-    [[nodiscard]] Load const& pendingCollisions() const { return collisions_; }
+    Load handOverCollisions(Real dt);
+    /// m v and what of these impulses is still to come [N s].
+    [[nodiscard]] Vector momentum() const { return mass_.mass * velocity_ + collisions_.force; }
 
     /// Acceleration by gravity [m/s2]; zero until set.
     void setGravity(Vector const& g) { gravity_ = g; }

@@ -121,6 +121,7 @@ Real Dictionary::getInRangeOr(std::string const& key, Real fallback, Real lowest
 std::string Dictionary::getWord(std::string const& key, std::vector<std::string> const& known, std::string const& plural) const
 {
     if (!found(key)) dictionary::refuseMissing(*node_, key, "entry", key + " <word>;   " + knownWords(plural, {}, known));
+    require(!entryText(key).empty(), where(key), key + " has no value", knownWords(plural, {}, known));
     auto const word = get<std::string>(key);
     bool const isKnown = std::find(known.begin(), known.end(), word) != known.end();
     std::string const cut = dictionary::shown(word);

@@ -57,7 +57,7 @@ Vector MomentumBudget::fluidMomentum() const
 Vector MomentumBudget::bodyMomentum() const
 {
     Vector sum = Vector::Zero();
-    for (auto const& body : context_.bodies) sum += body->mass() * body->velocity() + body->pendingCollisions().force;
+    for (auto const& body : context_.bodies) sum += body->momentum();
     return sum;
 }
 

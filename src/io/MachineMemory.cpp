@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -75,5 +76,12 @@ std::uint64_t ofTheControlGroup()
 } // namespace
 
 std::uint64_t availableMemory() { return std::min({ofTheSystem(), ofTheProcess(), ofTheControlGroup()}); }
+
+void returnLargeBlocks()
+{
+#ifdef __GLIBC__
+    ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
+}
 
 } // namespace mpsDem

@@ -1,6 +1,7 @@
 #include "particles/NeighbourList.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace mpsDem {
 
@@ -11,9 +12,21 @@ void NeighbourList::update(ParticleSet const& particles)
     int const owned = particles.owned().last;
     start_.resize(static_cast<std::size_t>(owned) + 1);
     start_[0] = 0;
+    reserve(particles.lattice(), owned);
     markFluidCells(particles);
     for (int i : particles.owned()) start_[i + 1] = wanted(particles, i) ? appendRow(particles, i, start_[i]) : start_[i];
     computeWeights();
+}
+
+void NeighbourList::reserve(Lattice const& lattice, int rows)
+{
+    Real const a = radii_.largest() / lattice.spacing;
+    Real const lengthOfRow = lattice.dimensions == 2 ? std::numbers::pi * a * a : 4 * std::numbers::pi / 3 * a * a * a;
+    auto const most = static_cast<std::size_t>(lengthOfRow * rows);
+    if (most <= index_.capacity()) return;
+    index_.reserve(most);
+    gradientWeight_.reserve(most);
+    if (separate()) laplacianWeight_.reserve(most);
 }
 
 void NeighbourList::markFluidCells(ParticleSet const& particles)
@@ -73,7 +86,7 @@ void NeighbourList::makeRoom(int pairs)
 {
     auto const wanted = static_cast<std::size_t>(pairs);
     if (wanted <= index_.size()) return;
-    index_.resize(wanted + wanted / 2);
+    index_.resize(wanted + wanted / 16);
     gradientWeight_.resize(index_.size());
 }
 

@@ -30,6 +30,13 @@ public:
     /// Builds grid and list for the present positions.
     void update(ParticleSet const& particles);
 
+    /// The order in which points lie in the cells of the list. Its grid is used for that: update() has to follow before the list is.
+    std::span<int const> orderByCells(std::span<Vector const> points, int dimensions)
+    {
+        grid_.build(points, radii_.largest(), dimensions);
+        return grid_.order();
+    }
+
     [[nodiscard]] Radii const& radii() const { return radii_; }
     [[nodiscard]] CellGrid const& grid() const { return grid_; }
 
@@ -45,6 +52,8 @@ public:
 
 private:
     [[nodiscard]] bool separate() const { return radii_.gradient != radii_.laplacian; }
+    /// Address space for as many pairs as an even lattice has: pages are taken as the list grows into them, and it is never copied.
+    void reserve(Lattice const& lattice, int rows);
     void markFluidCells(ParticleSet const& particles);
     [[nodiscard]] bool wanted(ParticleSet const& particles, int i) const;
     /// Writes neighbours and r^2 of particle i from `end` on. @return where they end.

@@ -88,22 +88,24 @@ void IncompleteCholesky::factorise(SparseMatrix const& a, Real shift, int dimens
     for (Triangle* const triangle : {&lower, &upper})
     {
         triangle->start.resize(n + 1);
-        triangle->column.resize(room);
-        triangle->value.resize(room);
+        triangle->reserve(room);
     }
     lower.start[0] = 0;
     upper.start[0] = 0;
     FillRule const rule = fillRule(a.rows, dimensions);
+    int balance = 0;
     for (int i = 0; i < a.rows; ++i)
     {
         Split const split = splitRow(a, i, rule.share);
         Real pivot = std::max((1 + shift) * split.diagonal - split.fill, -rule.floor * split.right);
         if (!(pivot >= smallestPivot * split.diagonal)) pivot = split.diagonal;
+        balance += split.balance;
         right_[i] = split.right;
         inverse_[i] = 1 / pivot;
         scale[i] = 1 / std::sqrt(pivot);
         defect[i] = 2 - split.diagonal / pivot;
     }
+    expect(balance == 0, "IncompleteCholesky: the matrix is not symmetric");
     for (Triangle* const triangle : {&lower, &upper})
     {
         for (int i = 0; i < a.rows; ++i)
@@ -122,8 +124,8 @@ IncompleteCholesky::Split IncompleteCholesky::splitRow(SparseMatrix const& a, in
     int l = lower.start[i];
     int u = upper.start[i];
     int const length = padded(a.rowStart[row + 1] - a.rowStart[row]);
-    bool const fits = static_cast<std::size_t>(std::max(l, u) + length) <= lower.value.size();
-    expect(fits, "IncompleteCholesky: the matrix is not symmetric");
+    lower.makeRoom(static_cast<std::size_t>(l + length));
+    upper.makeRoom(static_cast<std::size_t>(u + length));
     for (int k = a.rowStart[row]; k < a.rowStart[row + 1]; ++k)
     {
         int const j = rank_[a.column[k]];
@@ -145,9 +147,26 @@ IncompleteCholesky::Split IncompleteCholesky::splitRow(SparseMatrix const& a, in
             split.diagonal = value;
         }
     }
+    split.balance = (l - lower.start[i]) - (u - upper.start[i]);
     lower.closeRow(i, l, true);
     upper.closeRow(i, u, false);
     return split;
+}
+
+void Triangle::reserve(std::size_t entries)
+{
+    if (entries <= column.capacity()) return;
+    column = {}; // nothing of the old entries is wanted: both at once would be the peak of a run's memory
+    value = {};
+    column.reserve(entries + entries / 4);
+    value.reserve(entries + entries / 4);
+}
+
+void Triangle::makeRoom(std::size_t entries)
+{
+    if (entries <= column.size()) return;
+    column.resize(std::max(entries, std::min(column.capacity(), entries + entries / 64)));
+    value.resize(column.size());
 }
 
 void Triangle::closeRow(int i, int last, bool isLower)

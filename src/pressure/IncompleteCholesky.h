@@ -19,6 +19,11 @@ struct Triangle
     std::vector<int> column;
     std::vector<Real> value;
 
+    /// Address space for so many entries; what they held is lost where there was less.
+    void reserve(std::size_t entries);
+    /// At least so many entries, within what is reserved: pages are taken as rows are filled.
+    void makeRoom(std::size_t entries);
+
     /// Fills row i, whose entries end at `last`, with zeros. The neighbour that a sweep computes last is to be used last: the largest
     /// column of a lower triangle is put at the end of its row, the smallest one of an upper triangle in front.
     void closeRow(int i, int last, bool isLower);
@@ -81,8 +86,9 @@ private:
     struct Split
     {
         Real diagonal = 0;
-        Real fill = 0;  // the dropped fill that the diagonal takes
-        Real right = 0; // sum of the couplings to later rows
+        Real fill = 0;   // the dropped fill that the diagonal takes
+        Real right = 0;  // sum of the couplings to later rows
+        int balance = 0; // entries before the diagonal less those behind it
     };
 
     Split splitRow(SparseMatrix const& a, int i, Real share);

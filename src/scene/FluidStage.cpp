@@ -217,10 +217,9 @@ void FluidStage::sortAndCheck(Step const& step)
     particles_.dropHalo();
     int const first = particles_.fluid().first;
     std::span<Vector const> const fluid(particles_.r.data() + first, static_cast<std::size_t>(particles_.fluid().size()));
-    sortGrid_.build(fluid, radii_.largest(), particles_.lattice().dimensions);
     order_.clear();
-    order_.reserve(sortGrid_.order().size());
-    for (int const k : sortGrid_.order())
+    order_.reserve(fluid.size());
+    for (int const k : neighbours_.orderByCells(fluid, particles_.lattice().dimensions))
     {
         if (!hasEscaped(first + k))
         {

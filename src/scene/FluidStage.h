@@ -98,10 +98,9 @@ private:
     Vector low_, high_;                                   ///< Box beyond which a particle is lost [m].
     Vector up_ = Vector::Zero();                          ///< Against gravity; zero without a floor.
     Real floor_ = -std::numeric_limits<Real>::infinity(); ///< Height of the lowest wall less a spacing: what is lower has left [m].
-    CellGrid sortGrid_;
-    Field<int> order_;              ///< Scratch of sortAndCheck().
-    std::int64_t escaped_ = 0;      ///< Of this rank.
-    std::int64_t initialFluid_ = 0; ///< Of all ranks.
+    Field<int> order_;                                    ///< Scratch of sortAndCheck().
+    std::int64_t escaped_ = 0;                            ///< Of this rank.
+    std::int64_t initialFluid_ = 0;                       ///< Of all ranks.
     int neighbourTimer_, densityTimer_, labelTimer_, predictTimer_, assembleTimer_, solveTimer_, boundaryTimer_, gradientTimer_,
         collisionTimer_, shiftTimer_;
 };

@@ -15,6 +15,15 @@ std::string entryOf(std::optional<Dictionary> const& schemes, std::string const&
     return std::string("default of schemeSet ") + nameOf(readSchemeSet(all));
 }
 
+/// Which entry decides on the relaxation of the density: a source without density has none, a gamma alone takes the place of the time.
+std::string relaxationOf(std::optional<Dictionary> const& schemes)
+{
+    Dictionary const source = schemes.value_or(Dictionary()).subDictOrEmpty("sourceSchemes");
+    bool const without = source.getOr<std::string>("type", "") == "divergence";
+    bool const fixed = source.found("gamma") && !source.found("relaxationTime");
+    return entryOf(schemes, "sourceSchemes", without ? "type" : fixed ? "gamma" : "relaxationTime");
+}
+
 /// "a, b, c".
 template <class Range, class NameOf>
 std::string listed(Range const& range, NameOf const& nameOf)
@@ -77,14 +86,13 @@ void Scene::listFluidEffects()
     PressureSource const& source = fluid_->source();
     effects_.add("corrected divergence", source.corrected(), entryOf(dicts_.schemes, "sourceSchemes", "divergence"));
     effects_.add("smooth density", source.smooth(), entryOf(dicts_.schemes, "sourceSchemes", "density"));
-    effects_.add("relaxation of density", source.relaxationTime() > 0,
-                 (source.relaxationTime() > 0 ? "within " + shortNumber(source.relaxationTime()) + " s, " : std::string()) +
-                     entryOf(dicts_.schemes, "sourceSchemes", "relaxationTime"));
+    bool const relaxes = source.relaxationTime() > 0;
+    effects_.add("relaxation of density", relaxes,
+                 (relaxes ? "within " + shortNumber(source.relaxationTime()) + " s, " : std::string()) + relaxationOf(dicts_.schemes));
     effects_.add("velocity damping", fluid.velocityDamping() != nullptr, entryOf(dicts_.schemes, "velocityDamping", "type"));
     effects_.add("collision", fluid.collision() != nullptr, entryOf(dicts_.schemes, "collisionSchemes", "type"));
     if (fluid.collision())
-        effects_.add("collision along normals of walls", fluid.collision()->alongNormal(),
-                     entryOf(dicts_.schemes, "collisionSchemes", "walls"));
+        effects_.add("collision along normals", fluid.collision()->alongNormal(), entryOf(dicts_.schemes, "collisionSchemes", "walls"));
     effects_.add("shifting", fluid.shifting() != nullptr, entryOf(dicts_.schemes, "shiftingSchemes", "type"));
 }
 

@@ -64,7 +64,7 @@ void SolidStage::loadBodies(FluidStage& fluid, Step const& step)
         fluid.pressure().response(fluid.particles(), fluid.neighbours(), step, acceleration, pressure);
     };
     for (FluidBodyCoupling& coupling : couplings_) coupling.load(fluid.particles(), fluid.neighbours(), step, response);
-    for (auto const& body : bodies_) body->fluid += body->takeCollisions(step.dt);
+    for (auto const& body : bodies_) body->fluid += body->handOverCollisions(step.dt);
 }
 
 void SolidStage::takeCollisions(std::span<Collision::Impulse const> impulses, Step const& step)

@@ -25,12 +25,13 @@ void writeColumn(RunCase& run, Real spacing)
     run.control(10, 0.2 * spacing).make();
 }
 
-/// The same in a channel half as wide as the column is high.
-void writeColumnInSpace(RunCase& run, Real spacing)
+/// The same in a channel half as wide as the column is high, of the length given [m].
+void writeColumnInSpace(RunCase& run, Real spacing, std::string const& length)
 {
     run.threeDimensions();
-    run.write("system/setParticlesDict", "geometry { tank { type searchableBox; min (0 0 0); max (2.4 1.2 0.3); open (top); } }\n"
-                                         "regions ( boxToParticle { box (0 0 0) (1.2 0.6 0.3); } );\nhydrostatic { surface 0.6; }");
+    run.write("system/setParticlesDict", "geometry { tank { type searchableBox; min (0 0 0); max (" + length +
+                                             " 1.2 0.3); open (top); } }\n"
+                                             "regions ( boxToParticle { box (0 0 0) (1.2 0.6 0.3); } );\nhydrostatic { surface 0.6; }");
     run.control(10, 0.2 * spacing).make();
 }
 
@@ -84,23 +85,28 @@ void expectCost(std::string const& name, int particles, int warmUp, int windows,
     measure(run, name, warmUp, windows, steps, bound);
 }
 
+/// A column of 1.2 m in a channel of the length given.
+void expectCostInSpace(std::string const& name, std::string const& length, int warmUp, int windows)
+{
+    if (!optimised) GTEST_SKIP() << "this build is made for other things than speed";
+    Real const spacing = std::cbrt(1.2 * 0.6 * 0.3 / 2e5);
+    double const before = peakMemory();
+    RunCase run(spacing);
+    writeColumnInSpace(run, spacing, length);
+    measure(run, name, warmUp, windows, 5, 8);
+    double const taken = peakMemory() - before;
+    std::printf("    %-44s %14.6g\n", "memory [kB per fluid particle]", 1e-3 * taken / run.particles().fluid().size());
+    expectBelow(name + ": memory [kB per particle]", 1e-3 * taken / run.particles().owned().size(), 1.5);
+}
+
 } // namespace
 
 TEST(ParticleStep, costsLittleAtTenThousand) { expectCost("dam break", 10000, 150, 5, 20, 3); }
 
 TEST(ParticleStepGate, costsLittleAtAHundredThousand) { expectCost("dam break", 100000, 100, 5, 10, 3); }
 
-TEST(ParticleStepGate, costsLittleInSpaceAtTwoHundredThousand)
-{
-    if (!optimised) GTEST_SKIP() << "this build is made for other things than speed";
-    Real const spacing = std::cbrt(1.2 * 0.6 * 0.3 / 2e5);
-    double const before = peakMemory();
-    RunCase run(spacing);
-    writeColumnInSpace(run, spacing);
-    measure(run, "dam break in 3-D", 40, 4, 5, 8);
-    double const taken = peakMemory() - before;
-    std::printf("    %-44s %14.6g\n", "memory [kB per fluid particle]", 1e-3 * taken / run.particles().fluid().size());
-    expectBelow("dam break in 3-D: memory [kB per particle]", 1e-3 * taken / run.particles().owned().size(), 1.5);
-}
+TEST(ParticleStepGate, costsLittleInSpaceAtTwoHundredThousand) { expectCostInSpace("dam break in 3-D", "2.4", 40, 4); }
+
+TEST(ParticleStepGate, takesLittleMemoryInATankOfFewWalls) { expectCostInSpace("full tank in 3-D", "1.2", 5, 1); }
 
 } // namespace mpsDem::test

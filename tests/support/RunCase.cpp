@@ -226,16 +226,24 @@ void Watch::observeFluid(Scene const& scene)
     deviations_.clear();
 }
 
+Vector momentumBalance(Scene const& scene)
+{
+    ParticleSet const& particles = scene.particles();
+    Vector sum = Vector::Zero();
+    for (int const i : particles.fluid()) sum += particles.u[i];
+    sum *= scene.fluid()->fluid().density() * particles.lattice().particleVolume();
+    for (auto const& body : scene.bodies()) sum += body->momentum();
+    for (auto const& [name, impulse] : scene.ledger().impulses()) sum -= impulse;
+    return sum;
+}
+
 void Watch::observeMomentum(Scene const& scene)
 {
     auto const& impulses = scene.ledger().impulses();
     if (!impulses.contains("impulse/walls")) return;
     ParticleSet const& particles = scene.particles();
     Real const mass = scene.fluid()->fluid().density() * particles.lattice().particleVolume();
-    Vector balance = Vector::Zero();
-    for (int const i : particles.fluid()) balance += mass * particles.u[i];
-    for (auto const& body : scene.bodies()) balance += body->mass() * body->velocity() + body->pendingCollisions().force;
-    for (auto const& [name, impulse] : impulses) balance -= impulse;
+    Vector const balance = momentumBalance(scene);
     if (steps_ == 1) balance_ = balance;
     residual = residual.cwiseMax((balance - balance_).cwiseAbs() / (mass * particles.fluid().size() * g));
 }

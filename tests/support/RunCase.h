@@ -108,6 +108,9 @@ Real kineticEnergy(Scene const& scene);
 /// Energy of the fluid against gravity (0 -9.81 0), zero at y = 0 [J].
 Real potentialEnergy(Scene const& scene);
 
+/// Momentum of water and bodies less the impulses so far: constant where nothing is lost [N s]. Impulses are counted for momentumBudget only.
+Vector momentumBalance(Scene const& scene);
+
 /// What must stay in bounds however violent a flow is; each figure over all steps that were observed.
 ///
 /// Energy: kinetic, potential above y = 0, of fluid and bodies, and that in the springs of contacts.

@@ -137,11 +137,15 @@ TEST(DictionaryStrict, findsWordsThatBeginAlikeOrDifferInCapitals)
 
 TEST(DictionaryStrict, checksRangesAndWords)
 {
-    Dictionary const dictionary = Dictionary::fromText("mu -0.1; type slidee;", "f");
+    Dictionary const dictionary = Dictionary::fromText("mu -0.1; type slidee; law;", "f");
     EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.getInRange("mu", 0, 2)); }), "f:1: mu is -0.1\n    allowed: in [0, 2]");
     EXPECT_EQ(refusal([&] { static_cast<void>(dictionary.getInRange("mu", 0, 1e300)); }), "f:1: mu is -0.1\n    allowed: at least 0");
     EXPECT_EQ(dictionary.getInRangeOr("e", 0.5, 0, 1), 0.5);
-    EXPECT_EQ(dictionary.getWordOr("law", "linear", {"linear", "Hertz"}, "laws"), "linear");
+    EXPECT_EQ(dictionary.getWordOr("shape", "flat", {"flat", "round"}, "shapes"), "flat");
+    EXPECT_EQ(refusal([&] {
+                  static_cast<void>(dictionary.getWordOr("law", "linear", {"linear", "Hertz"}, "laws"));
+              }),
+              "f:1: law has no value\n    known laws: linear, Hertz");
     EXPECT_EQ(refusal([&] {
                   static_cast<void>(dictionary.getWord("type", {"slide", "wedge"}, "types"));
               }),

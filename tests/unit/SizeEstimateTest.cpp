@@ -59,13 +59,13 @@ TEST(SizeEstimate, WhatDoesNotFitIsRefusedWithTheNumbers)
     try
     {
         requireRoom(size, lattice, Location{"constant/particleProperties", 11, "spacing"}, 100'000'000);
-        FAIL() << "400 MB in 100 MB";
+        FAIL() << "550 MB in 100 MB";
     }
     catch (CaseError const& error)
     {
         std::string const text = error.what();
         EXPECT_EQ(error.code(), ExitCode::Memory);
-        for (char const* piece : {"constant/particleProperties:11", "1e+06 particles", "0.4 GB", "0.1 GB", "0.02 m"})
+        for (char const* piece : {"constant/particleProperties:11", "1e+06 particles", "0.55 GB", "0.1 GB", "0.0235 m"})
             EXPECT_NE(text.find(piece), std::string::npos) << piece << '\n' << text;
     }
     size.fluid = 1e12; // no memory makes up for numbers of 32 bits

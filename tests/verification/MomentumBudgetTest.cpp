@@ -8,28 +8,16 @@ namespace mpsDem::test {
 
 namespace {
 
-/// Momentum less the impulses so far: constant where nothing is lost [N s].
-Vector balance(Scene const& scene)
-{
-    ParticleSet const& particles = scene.particles();
-    Vector sum = Vector::Zero();
-    for (int const i : particles.fluid()) sum += particles.u[i];
-    sum *= scene.fluid()->fluid().density() * particles.lattice().particleVolume();
-    for (auto const& body : scene.bodies()) sum += body->mass() * body->velocity() + body->pendingCollisions().force;
-    for (auto const& [name, impulse] : scene.ledger().impulses()) sum -= impulse;
-    return sum;
-}
-
 std::string const budget = "functions { momentum { type momentumBudget; writeControl none; } }";
 
 /// Largest residual in 1 s over the weight of the water times 1 s.
 Real residual(RunCase& run)
 {
-    Vector const start = balance(run.start());
+    Vector const start = momentumBalance(run.start());
     Real const weight =
         run.particles().fluid().size() * run.scene().fluid()->fluid().density() * run.particles().lattice().particleVolume() * 9.81;
     Real largest = 0;
-    run.run([&](Scene const& scene, Step const&) { largest = std::max(largest, (balance(scene) - start).norm()); });
+    run.run([&](Scene const& scene, Step const&) { largest = std::max(largest, (momentumBalance(scene) - start).norm()); });
     return largest / weight;
 }
 

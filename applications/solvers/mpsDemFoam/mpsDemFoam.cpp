@@ -8,6 +8,7 @@
 #include "core/Log.h"
 #include "core/Timers.h"
 #include "io/CaseLock.h"
+#include "io/MachineMemory.h"
 #include "mpsDemFoam/Progress.h"
 #include "mpsDemFoam/StopRequest.h"
 #include "scene/Scene.h"
@@ -41,6 +42,7 @@ int run(CommandLine const& line)
     std::optional<CaseLock> lock; // a dry run writes nothing, and the case may be read-only
     if (!line.found("dry-run")) lock.emplace(folder.root());
     info() << "Create time\n" << std::endl;
+    returnLargeBlocks();
     Scene scene(folder, {.functionObjects = !line.found("noFunctionObjects")});
     if (line.found("dry-run"))
     {
