@@ -204,6 +204,7 @@ void WettedSurface::dryContactFaces(ParticleSet const& particles, CellGrid const
 {
     for (std::size_t s = 0; s < position_.size(); ++s)
     {
+        if (!wet_[s] && pressure_[s] == 0) continue;
         Real const reach = coverReach * lattice_.spacing, aside = coverAside * lattice_.spacing;
         Real cover = 2 * reach, lowestFluid = 2 * reach;
         grid.forEachWithin(position_[s], reach, [&](int j, Vector const& rsj, Real) {

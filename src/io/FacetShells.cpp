@@ -47,7 +47,11 @@ public:
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
             if (turned_[t] == 1) std::swap(mesh_.triangles[t][1], mesh_.triangles[t][2]);
         tell();
-        if (closed) requireApart();
+        if (!closed) return;
+        requireApart();
+        if (shells_.size() > 1 && soup_.solids <= 1) // of several solids the reader of the file tells
+            infoOnce("Surface \"" + name_ + "\": its " + std::to_string(shells_.size()) +
+                     " shells, which do not touch, are taken as one solid");
     }
 
 private:

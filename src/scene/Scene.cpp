@@ -136,6 +136,7 @@ void Scene::buildFluid()
     fluid_ = std::make_unique<FluidStage>(particles_, surfaces_, setup, ledger_);
     if (!asksFor(dicts_.control.subDictOrEmpty("functions"), "momentumBudget")) return;
     for (Surface const& surface : surfaces_) fixedSurfaces_.emplace_back(surface, dicts_.lattice, -1);
+    impulseTimer_ = Timers::add("impulse of fixed walls (momentumBudget)", "function objects");
     wallImpulse_ = &ledger_.impulse("impulse/walls");
     gravityImpulse_ = &ledger_.impulse("impulse/gravityOnFluid");
 }

@@ -149,7 +149,7 @@ private:
     mutable Real cumulativeError_ = 0; ///< Of the log.
     bool solved_ = false;
     double particleSteps_ = 0;
-    int checkpointTimer_ = -1, observerTimer_ = -1, guardTimer_ = -1;
+    int checkpointTimer_ = -1, observerTimer_ = -1, guardTimer_ = -1, impulseTimer_ = -1;
     bool checkpointAsked_ = false, checkpointDue_ = false, stopAsked_ = false; ///< By a user, by the clock, by a user.
     std::int64_t startStep_ = 0;                                               ///< Step from which this run goes on.
     std::int64_t lastCheckpoint_ = -1;                                         ///< Step of the last checkpoint of this run.

@@ -64,6 +64,7 @@ void Scene::accumulateImpulse(Step const& step)
 {
     static std::vector<FluidBodyCoupling> const noCouplings;
     if (fixedSurfaces_.empty()) return;
+    Timers::Scope const timer(Timers::stage(impulseTimer_));
     Real const density = fluid_->fluid().density();
     PressureIntegrationControls controls;
     controls.wetRadius = 1.5 * dicts_.lattice.spacing;

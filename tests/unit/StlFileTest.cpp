@@ -145,6 +145,15 @@ TEST_F(StlFile, SeveralSolidsOfAFileAreTakenAsOneSurfaceWithANote)
     EXPECT_EQ(notesOf(textOf(boxFacets()), {1, Skin::Closed, 0}).find("solids"), std::string::npos);
 }
 
+TEST_F(StlFile, ShellsThatDoNotTouchAreTakenAsOneSolidWithANote)
+{
+    Facets facets = boxFacets();
+    Facets const other = boxFacets({5, 0, 0}, {6, 1, 1});
+    facets.insert(facets.end(), other.begin(), other.end());
+    EXPECT_NE(notesOf(binaryOf(facets), {1, Skin::Closed, 0}).find("its 2 shells, which do not touch, are taken as one solid"),
+              std::string::npos);
+}
+
 TEST_F(StlFile, LikelySlipsOfTheUnitDrawAWarning)
 {
     Facets const millimetres = boxFacets({0, 0, 0}, {500, 500, 550});

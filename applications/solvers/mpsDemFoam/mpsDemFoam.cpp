@@ -51,11 +51,11 @@ int run(CommandLine const& line)
     }
     StopRequest requests(folder.root());
     Progress progress(scene.time().time(), scene.time().endTime());
+    Clock::time_point const loopBegin = Clock::now(); // with the first output, which is in the bill as well
+    double const processorBegin = Timers::processorTime();
     scene.writeStart();
 
     info() << "Starting time loop\n" << std::endl;
-    Clock::time_point const loopBegin = Clock::now();
-    double const processorBegin = Timers::processorTime();
     while (scene.time().running())
     {
         Step const step = scene.takeStep([&scene](Step const& wanted) { advance(scene, wanted); });
