@@ -41,6 +41,8 @@ public:
     [[nodiscard]] Viscosity const* viscosity() const { return viscosity_.get(); }
     [[nodiscard]] VelocityDamping const* velocityDamping() const { return velocityDamping_.get(); }
     [[nodiscard]] Collision const* collision() const { return collision_.get(); }
+    [[nodiscard]] bool dampsSurface() const { return surfaceDamping_ != nullptr; }
+    [[nodiscard]] bool limitsDisplacement() const { return displacementLimit_ > 0; }
     [[nodiscard]] Shifting* shifting() const { return shifting_.get(); }
     [[nodiscard]] NegativePressure negativePressure() const { return negativePressure_; }
     [[nodiscard]] Real density() const { return density_; }

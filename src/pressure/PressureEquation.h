@@ -44,6 +44,8 @@ public:
 
     [[nodiscard]] int unknowns() const { return unknowns_; } ///< Of all ranks.
     [[nodiscard]] PressureSource const& source() const { return source_; }
+    /// False where p = 0 at the centres of surface particles.
+    [[nodiscard]] bool givesSurfacePressure() const { return surface_ != nullptr; }
     /// Groups without a free surface in the last matrix.
     [[nodiscard]] int closedGroups() const { return groups_.count(); }
     /// Forgets what was set up from earlier matrices: called where a checkpoint is written, so that both runs go on alike.

@@ -1,5 +1,6 @@
 #include "scene/Effects.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <map>
 
@@ -9,9 +10,12 @@ namespace mpsDem {
 
 void Effects::print(std::ostream& os) const
 {
+    std::size_t width = 0;
+    for (Entry const& entry : entries_) width = std::max(width, entry.name.size());
     os << "Effects of this scene\n";
     for (Entry const& entry : entries_)
-        os << "    " << std::left << std::setw(26) << entry.name << std::setw(5) << (entry.on ? "on" : "off") << entry.why << '\n';
+        os << "    " << std::left << std::setw(static_cast<int>(width) + 2) << entry.name << std::setw(5) << (entry.on ? "on" : "off")
+           << entry.why << '\n';
     os << std::endl;
 }
 

@@ -51,6 +51,7 @@ public:
     [[nodiscard]] Fluid& fluid() { return fluid_; }
     [[nodiscard]] BoundaryLabeller const& labeller() const { return *labeller_; }
     [[nodiscard]] PressureSource const& source() const { return pressure_->source(); }
+    [[nodiscard]] bool givesSurfacePressure() const { return pressure_->givesSurfacePressure(); }
     [[nodiscard]] bool positivePressure() const { return fluid_.negativePressure() == NegativePressure::Clamp; }
 
     /// An initial state made without the periodic box has boundary particles where images of others will stand. @throw CaseError BadInput

@@ -113,6 +113,7 @@ private:
     void buildGuard();
     void listEffects();
     void listFluidEffects();
+    void listSchemes();
     void listBodyEffects();
     void checkDictionaries() const;
     void accumulateImpulse(Step const& step);

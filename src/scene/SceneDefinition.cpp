@@ -16,7 +16,8 @@ void readHydrostatic(SceneDefinition& scene, Dictionary const& setParticlesDict)
     scene.hasSurfaceLevel = dict.found("surface");
     if (!scene.hasSurfaceLevel) return;
     scene.surfaceLevel = dict.getInRange("surface", -1e30, 1e30);
-    require(!scene.hydrostatic || scene.gravity.norm() > 0, dict.where("surface"), "a free surface without gravity", "constant/g");
+    require(!scene.hydrostatic || scene.gravity.norm() > 0, dict.where("surface"), "a free surface without gravity",
+            "a file constant/g with `value (0 -9.81 0);`, or hydrostatic { active no; }");
 }
 
 /// Names become parts of file names and of pairs of contact: they must differ.

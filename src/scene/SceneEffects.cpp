@@ -82,18 +82,34 @@ void Scene::listFluidEffects()
                  fluid.viscosity() ? std::string(fluid.viscosity()->name()) + " for nu " + shortNumber(fluid.nu()) + " m2/s, " +
                                          entryOf(dicts_.schemes, "viscositySchemes", "type")
                                    : Viscosity::whyAbsent(viscosity, dicts_.lattice, fluid.nu(), timeStep_->largest()));
-    effects_.add("boundary labelling", !fluid_->labeller().needsAllWalls(), entryOf(dicts_.schemes, "boundarySchemes", "labelling"));
+    listSchemes();
+}
+
+void Scene::listSchemes()
+{
+    Fluid const& fluid = fluid_->fluid();
     PressureSource const& source = fluid_->source();
-    effects_.add("corrected divergence", source.corrected(), entryOf(dicts_.schemes, "sourceSchemes", "divergence"));
-    effects_.add("smooth density", source.smooth(), entryOf(dicts_.schemes, "sourceSchemes", "density"));
+    Dictionary const all = dicts_.schemes.value_or(Dictionary());
+    auto const add = [&](std::string const& name, bool on, std::string const& group, std::string const& key) {
+        effects_.add(name, on, entryOf(dicts_.schemes, group, key));
+    };
+    if (fluid_->periodic()) effects_.add("periodic box", true, "mpsSchemes/cyclic");
+    add("boundary labelling", !fluid_->labeller().needsAllWalls(), "boundarySchemes", "labelling");
+    bool const corrected = GradientScheme::readName(all.subDictOrEmpty("gradSchemes"), readSchemeSet(all)) != "symmetric";
+    add("corrected gradient", corrected, "gradSchemes", "grad(p)");
+    add("corrected divergence", source.corrected(), "sourceSchemes", "divergence");
+    add("smooth density", source.smooth(), "sourceSchemes", "density");
     bool const relaxes = source.relaxationTime() > 0;
     effects_.add("relaxation of density", relaxes,
                  (relaxes ? "within " + shortNumber(source.relaxationTime()) + " s, " : std::string()) + relaxationOf(dicts_.schemes));
-    effects_.add("velocity damping", fluid.velocityDamping() != nullptr, entryOf(dicts_.schemes, "velocityDamping", "type"));
-    effects_.add("collision", fluid.collision() != nullptr, entryOf(dicts_.schemes, "collisionSchemes", "type"));
-    if (fluid.collision())
-        effects_.add("collision along normals", fluid.collision()->alongNormal(), entryOf(dicts_.schemes, "collisionSchemes", "walls"));
-    effects_.add("shifting", fluid.shifting() != nullptr, entryOf(dicts_.schemes, "shiftingSchemes", "type"));
+    add("surface half a spacing off", fluid_->givesSurfacePressure(), "freeSurfaceSchemes", "pressure");
+    add("damping of ripples", fluid.dampsSurface(), "freeSurfaceSchemes", "damping");
+    add("velocity damping", fluid.velocityDamping() != nullptr, "velocityDamping", "type");
+    add("collision", fluid.collision() != nullptr, "collisionSchemes", "type");
+    if (fluid.collision()) add("collision along normals", fluid.collision()->alongNormal(), "collisionSchemes", "walls");
+    add("shifting", fluid.shifting() != nullptr, "shiftingSchemes", "type");
+    add("limit of displacements", fluid.limitsDisplacement(), "limiters", "displacement");
+    add("clamp of pressures", fluid.negativePressure() != NegativePressure::Keep, "limiters", "negativePressure");
 }
 
 void Scene::listBodyEffects()

@@ -1,5 +1,6 @@
 // The wedge of Heinrich (1992) that falls into 0.4 m of water, per metre of width: 0.5 m high, 2036 kg/m3, on a ramp of 45 degrees, its lower
-// edge at the water line, held 0.05 m above the floor: the case of tutorials/landslide/subaerialWedge2D at 0.04 m. Times count from its release.
+// edge at the water line, held 0.05 m above the floor: tutorials/landslide/subaerialWedge2D at 0.04 m, with the set `standard`. Times count
+// from its release.
 
 #include <algorithm>
 
@@ -85,8 +86,8 @@ Plunge plunge(Real endTime)
 
 } // namespace
 
-// Reference: the tutorial at 0.02 m, stop at 0.400 s and a first crest of 0.078 m at 1.93 s. Of the water the paper tells that it detaches from
-// the stopped wedge, and that it rolls over and forms the first wave at 0.75 s.
+// Reference: the same set at 0.02 m, stop at 0.400 s and a first crest of 0.078 m at 1.93 s (with `waves`, as the tutorial: 0.127 m at
+// 2.00 s). Of the water the paper tells that it detaches from the stopped wedge, and that it rolls over and forms the first wave at 0.75 s.
 TEST(SubaerialWedgeGate, leavesACavityThatClosesAndAWave)
 {
     Plunge const found = plunge(2.6);
@@ -99,8 +100,8 @@ TEST(SubaerialWedgeGate, leavesACavityThatClosesAndAWave)
 }
 
 // The paper tells of a stop at about 0.53 s. Measured: 0.398 s at 0.04 m. Without any water the assumed way of 0.35 m down takes 0.380 s, so
-// the way is another one or the time does not count from the release: tried in the tutorial (Allrun-sensitivity) legs of 0.45 and 0.55 m (0.400 s), a
-// stop on the floor (0.436 s), and an edge 0.25 m above the water (0.510 s).
+// the way is another one or the time does not count from the release: tried in the tutorial (Allrun-sensitivity, set `waves`) legs of 0.45
+// and 0.55 m (0.400 s), a stop on the floor (0.430 s), and an edge 0.25 m above the water (0.511 s).
 TEST(SubaerialWedgeGate, DISABLED_stopsWhenThePaperTells)
 {
     expectBetween("subaerial wedge: stop [s]", plunge(0.6).stop, 0.95 * 0.53, 1.05 * 0.53);
