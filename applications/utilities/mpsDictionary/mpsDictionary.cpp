@@ -23,15 +23,16 @@ constexpr char const* usage = "See 'mpsDictionary -help' for usage";
 
 po::options_description options()
 {
-    po::options_description all("Options");
+    constexpr unsigned width = 140;
+    po::options_description all("options", width);
     auto add = all.add_options();
-    add("case", po::value<std::string>()->value_name("<dir>"), "Folder that includes may not leave (default: the case around the file)");
-    add("entry", po::value<std::string>()->value_name("<name>"), "Print one entry, scoped with / or .");
-    add("expand", "Accepted for OpenFOAM's sake: includes and macros are always expanded");
-    add("help", "Print this help and exit");
-    add("keywords", "Print the keywords of the dictionary or of the entry");
-    add("strict", "Read as the solver does: duplicates and code are errors");
-    add("value", "Print the value of the entry without its keyword");
+    add("case", po::value<std::string>()->value_name("<dir>"), "folder that includes may not leave, instead of the case around the file");
+    add("entry", po::value<std::string>()->value_name("<name>"), "print one entry, scoped with / or .");
+    add("expand", "accepted for OpenFOAM's sake: includes and macros are always expanded");
+    add("help", "print this and stop");
+    add("keywords", "print the keywords of the dictionary or of the entry");
+    add("strict", "read as the solver does: duplicates and code are errors");
+    add("value", "print the value of the entry without its keyword");
     return all;
 }
 
@@ -42,8 +43,8 @@ void printHelp()
     text << options();
     std::string help = text.str();
     for (std::size_t at = help.find(" --"); at != std::string::npos; at = help.find(" --", at)) help.replace(at, 3, " -");
-    std::cout << "Usage: mpsDictionary [OPTIONS] <dictionary file>\n"
-              << help << "Prints what was read from a dictionary, as foamDictionary does\n";
+    std::cout << "\nUsage: mpsDictionary [OPTIONS] <dictionary file>\n"
+              << help << "\nPrints what was read from a dictionary, as foamDictionary does.\n\nUsing: mpsDem " MPSDEM_VERSION "\n\n";
 }
 
 /// Nearest folder around the file that holds `system`, else the folder of the file.
@@ -140,14 +141,14 @@ int main(int argc, char** argv)
     {
         std::string name = error.get_option_name();
         name.erase(0, std::min(name.find_first_not_of('-'), name.size()));
-        std::cerr << "Invalid option: -" << name << "\n\n" << usage << '\n';
+        std::cerr << "Invalid option: -" << name << '\n' << usage << '\n';
     }
     catch (po::error const& error)
     {
         std::string text = error.what();
         std::size_t const dashes = text.find("--");
         if (dashes != std::string::npos) text.erase(dashes, 1);
-        std::cerr << text << "\n\n" << usage << '\n';
+        std::cerr << text << '\n' << usage << '\n';
     }
     catch (CaseError const& error)
     {

@@ -162,8 +162,12 @@ Table TableSource::load(PostCase const& postCase) const
     {
         fs::path const table = path(postCase);
         if (!fs::is_regular_file(table))
+        {
+            bool const script = fs::is_regular_file(postCase.root / "Allrun");
             throw CaseError(ExitCode::InputOutput, where, "there is no file " + postCase.shown(table),
-                            "files there: " + listed(entriesOf(table.parent_path(), false)));
+                            "files there: " + listed(entriesOf(table.parent_path(), false)) +
+                                (script ? "; some tables are made by the case's Allrun" : ""));
+        }
         return readTable(table);
     }
     fs::path const root = caseFolder.empty() ? postCase.root : postCase.resolve(caseFolder);
