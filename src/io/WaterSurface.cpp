@@ -110,7 +110,7 @@ std::vector<float> fill(Grid const& grid, std::span<Vector const> positions, Wat
     return values;
 }
 
-/// Turns fluid's and solid's shares into that of the water among free space; cuts it open at the plane.
+/// Turns fluid's and solid's shares into that of the water among free space; cuts it open at the planes.
 void combine(Grid const& grid, std::vector<float> const& solid, WaterSurfaceControls const& controls, std::vector<float>& water)
 {
     auto const least = static_cast<float>(leastFree);
@@ -119,16 +119,16 @@ void combine(Grid const& grid, std::vector<float> const& solid, WaterSurfaceCont
         float const space = 1 - solid[i];
         water[i] = std::min(water[i] / std::max(space, least), space);
     }
-    if (!controls.clip) return;
-    for (int k = 0; k < grid.count[2]; ++k)
-        for (int j = 0; j < grid.count[1]; ++j)
-            for (int i = 0; i < grid.count[0]; ++i)
-            {
-                Vector const r = grid.origin + grid.step * Vector(i, j, k);
-                Real const beyond = (r - controls.clip->point).dot(controls.clip->normal) / controls.spacing;
-                float& value = water[grid.row(j, k) + static_cast<std::size_t>(i)];
-                value = std::min(value, static_cast<float>(half - half * beyond));
-            }
+    for (CutPlane const& cut : controls.cuts)
+        for (int k = 0; k < grid.count[2]; ++k)
+            for (int j = 0; j < grid.count[1]; ++j)
+                for (int i = 0; i < grid.count[0]; ++i)
+                {
+                    Vector const r = grid.origin + grid.step * Vector(i, j, k);
+                    Real const beyond = (r - cut.point).dot(cut.normal) / controls.spacing;
+                    float& value = water[grid.row(j, k) + static_cast<std::size_t>(i)];
+                    value = std::min(value, static_cast<float>(half - half * beyond));
+                }
 }
 
 /// Contour at one half, smoothed.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,11 +19,11 @@ struct CutPlane
 /// How a surface is laid around particles.
 struct WaterSurfaceControls
 {
-    Real spacing = 0;             ///< Of the particles [m].
-    Real resolution = 2;          ///< Cells of the grid on a spacing.
-    Real radius = 2;              ///< Of the kernel [spacings].
-    int smoothing = 20;           ///< Rounds of smoothing (Taubin, windowed sinc); 0: none.
-    std::optional<CutPlane> clip; ///< Cuts the water open.
+    Real spacing = 0;           ///< Of the particles [m].
+    Real resolution = 2;        ///< Cells of the grid on a spacing.
+    Real radius = 2;            ///< Of the kernel [spacings].
+    int smoothing = 20;         ///< Rounds of smoothing (Taubin, windowed sinc); 0: none.
+    std::vector<CutPlane> cuts; ///< Cut the water open.
 };
 
 /// Closed surface of triangles with a normal at each point.

@@ -97,7 +97,7 @@ TEST(WaterSurface, IsCutOpenAtAPlane)
 {
     Tank const tank;
     auto controls = controlsOf();
-    controls.clip = CutPlane{Vector(0, 0, 4.3), Vector::UnitZ()};
+    controls.cuts = {CutPlane{Vector(0, 0, 4.3), Vector::UnitZ()}};
     Real middle = 0, rim = 0, plain = 0;
     for (Vector const& r : waterSurface(tank.fluid, tank.solid, controls).points)
     {

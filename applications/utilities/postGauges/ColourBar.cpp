@@ -14,12 +14,18 @@ constexpr Real cut = 0.002, beyond = 0.01;
 
 } // namespace
 
-void ColourBar::writeScale(std::ostream& script) const
+void ColourBar::writeScale(std::ostream& script, SheetLayout const& sheet, int fontSize) const
 {
     script << paletteCommand(palette) << "set cbrange [" << number(range.first, 9) << ':' << number(range.second, 9) << "]\n";
-    script << "set cbtics out scale 0.4\nset format cb '%g'\n";
-    if (below) script << "set cbtics add ('\u2264 " << number(range.first) << "' " << number(range.first, 9) << ")\n";
-    if (above) script << "set cbtics add ('\u2265 " << number(range.second) << "' " << number(range.second, 9) << ")\n";
+    Real const pixels = (sheet.bar.top - sheet.bar.bottom) * sheet.height;
+    Real const line = 1.6 * fontSize / pixels * (range.second - range.first);
+    script << "set cbtics out scale 0.4 ('' " << number(range.first, 9); // a list must not be empty
+    auto const add = [&](std::string const& mark, Real value) { script << ", '" << mark << number(value) << "' " << number(value, 9); };
+    if (below) add("\u2264 ", range.first);
+    if (above) add("\u2265 ", range.second);
+    for (Real const value : niceTics(range.first, range.second, ticsAbove(pixels, fontSize)))
+        if (!(below && value < range.first + line) && !(above && value > range.second - line)) add("", value);
+    script << ")\n";
 }
 
 void ColourBar::writeBox(std::ostream& script, SheetLayout const& sheet, int fontSize) const

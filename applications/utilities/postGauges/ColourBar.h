@@ -20,8 +20,8 @@ struct ColourBar
     bool below = false;                   ///< Values beyond the range, by more than a hundredth of it: an end of the bar says so.
     bool above = false;
 
-    /// Palette, range and tics, as gnuplot's settings.
-    void writeScale(std::ostream& script) const;
+    /// Palette, range and as many tics as there is room for, as gnuplot's settings.
+    void writeScale(std::ostream& script, SheetLayout const& sheet, int fontSize) const;
     /// Place of the bar and its label.
     void writeBox(std::ostream& script, SheetLayout const& sheet, int fontSize) const;
     /// Colour of a value: red, green, blue from 0 to 1.

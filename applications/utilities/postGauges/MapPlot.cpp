@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr Real leastHeight = 0.2; ///< Of a map, in widths.
+
 std::string defaultLabel(std::string const& column)
 {
     static std::map<std::string, std::string> const labels = {{"eta", "{/Symbol h} [m]"},
@@ -137,14 +139,19 @@ void MapPlot::draw(PostCase const& postCase) const
     auto const [xLow, xHigh] = std::minmax_element(grid.x.begin(), grid.x.end());
     auto const [yLow, yHigh] = std::minmax_element(grid.y.begin(), grid.y.end());
     Window const window{*xLow - 0.5 * stepX, *xHigh + 0.5 * stepX, *yLow - 0.5 * stepY, *yHigh + 0.5 * stepY};
-    auto const sheet = layOut(1, 1, window, width_, maxHeight_, pictures_.fontSize, 110);
+    Window shown = window; // a long channel is drawn wider than it is
+    shown.yHigh = std::max(window.yHigh, window.yLow + leastHeight * (window.xHigh - window.xLow));
+    auto const sheet = layOut(1, 1, shown, width_, maxHeight_, pictures_.fontSize, 110);
     Picture picture(postCase.plots(), name(), sheet.width, sheet.height, pictures_);
     auto& script = picture.script();
     std::string const data = picture.addData(rows);
     script << "set border 15 lw 1 lc rgb '#404040'\nset tics out scale 0.6 nomirror textcolor rgb '#202020'\nunset key\n";
-    bar.writeScale(script);
+    bar.writeScale(script, sheet, pictures_.fontSize);
     bar.writeBox(script, sheet, pictures_.fontSize);
     writeMargins(script, sheet.panels.front());
+    Real const high = (sheet.panels.front().top - sheet.panels.front().bottom) * sheet.height;
+    if (auto const tics = niceTics(window.yLow, window.yHigh, ticsAbove(high, pictures_.fontSize)); tics.size() > 1)
+        script << "set ytics " << number(tics[1] - tics[0]) << '\n';
     if (!contours_.empty())
     {
         script << "set contour base\nunset surface\nset cntrparam levels discrete ";

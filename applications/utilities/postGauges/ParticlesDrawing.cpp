@@ -64,7 +64,7 @@ void ParticlesPlot::writeColours(std::ostream& script, SheetLayout const& sheet,
 {
     script << pointRadius << "set style fill solid 1 noborder\n";
     script << "set border 15 lw 1 lc rgb '#404040'\nset tics out scale 0.6 nomirror textcolor rgb '#202020'\n";
-    scene.bar.writeScale(script);
+    scene.bar.writeScale(script, sheet, pictures_.fontSize);
     if (categorical())
         script << "set key at screen " << number(sheet.bar.left, 6) << ",screen " << number(sheet.bar.top, 6)
                << " left top Left reverse samplen 0.6 spacing 1.4 vertical maxrows 6\n";

@@ -24,7 +24,7 @@ bool ParticlesSpacePlot::shows(ParticleFrame const& frame, std::size_t i) const
 {
     auto const kind = static_cast<ParticleKind>(frame.type[i]);
     char const* const word = kind == ParticleKind::Fluid ? "fluid" : kind == ParticleKind::Ghost ? "ghost" : "wall";
-    return std::find(show_.begin(), show_.end(), word) != show_.end() && !isClipped(frame.data.position[i]);
+    return std::find(show_.begin(), show_.end(), word) != show_.end() && !isCutAway(frame.data.position[i]);
 }
 
 bool ParticlesSpacePlot::hasColour(int type) const

@@ -92,6 +92,19 @@ std::pair<Real, Real> niceRange(Real low, Real high)
     return {step * std::floor(low / step + 1e-9), step * std::ceil(high / step - 1e-9)};
 }
 
+std::vector<Real> niceTics(Real low, Real high, int about)
+{
+    std::vector<Real> tics;
+    Real const raw = (high - low) / about, power = std::pow(10, std::floor(std::log10(raw)));
+    Real step = 10 * power;
+    for (Real const factor : {5.0, 2.0, 1.0})
+        if (factor * power >= 0.99 * raw) step = factor * power;
+    for (Real k = std::ceil(low / step - 1e-6); k * step <= high + 1e-6 * step; ++k) tics.push_back(k == 0 ? 0 : k * step);
+    return tics;
+}
+
+int ticsAbove(Real pixels, int fontSize) { return std::clamp(static_cast<int>(pixels / (2.2 * fontSize)), 1, 10); }
+
 Real percentile(std::vector<Real> values, Real part)
 {
     auto const place = static_cast<std::ptrdiff_t>(std::lround(part * static_cast<Real>(values.size() - 1)));

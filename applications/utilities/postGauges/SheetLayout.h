@@ -49,6 +49,12 @@ SheetLayout layOut(int count, int columns, Window const& window, int width, int 
 /// Rounds a range outwards to numbers that read well: (0.3 9788) -> (0 10000).
 std::pair<Real, Real> niceRange(Real low, Real high);
 
+/// Numbers that read well, some `about` of them, from low to high.
+std::vector<Real> niceTics(Real low, Real high, int about);
+
+/// How many numbers have room above each other [pixels] [points], 10 at most.
+int ticsAbove(Real pixels, int fontSize);
+
 /// Value below which the share `part` (0 to 1) of all values lies. @pre Not empty.
 Real percentile(std::vector<Real> values, Real part);
 

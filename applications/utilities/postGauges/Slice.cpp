@@ -5,7 +5,6 @@
 
 #include "postGauges/Axes.h"
 #include "postGauges/BodySkin.h"
-#include "postGauges/SpaceAxes.h"
 #include "postGauges/Text.h"
 
 namespace mpsDem::postGauges {

@@ -66,17 +66,6 @@ Edge numbered(Camera const& camera, SpaceBox const& box, int d)
 
 } // namespace
 
-std::vector<Real> niceTics(Real low, Real high, int about)
-{
-    std::vector<Real> tics;
-    Real const raw = (high - low) / about, power = std::pow(10, std::floor(std::log10(raw)));
-    Real step = 10 * power;
-    for (Real const factor : {5.0, 2.0, 1.0})
-        if (factor * power >= 0.99 * raw) step = factor * power;
-    for (Real k = std::ceil(low / step - 1e-6); k * step <= high + 1e-6 * step; ++k) tics.push_back(k == 0 ? 0 : k * step);
-    return tics;
-}
-
 void drawBox(SpaceImage& image, Camera const& camera, SpaceBox const& box)
 {
     int const nearest = nearestCorner(camera, box);

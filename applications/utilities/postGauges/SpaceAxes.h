@@ -14,7 +14,4 @@ void drawBox(SpaceImage& image, Camera const& camera, SpaceBox const& box);
 /// Numbers and names at three edges of the box, as gnuplot's labels and arrows in pixels of the picture.
 void writeAxes(std::ostream& script, Camera const& camera, SpaceBox const& box, Real pixelsAMetre, Window const& window);
 
-/// Numbers that read well, some `about` of them, from low to high.
-std::vector<Real> niceTics(Real low, Real high, int about);
-
 } // namespace mpsDem::postGauges

@@ -100,12 +100,12 @@ void SpacePlot::drawSheet(PostCase const& postCase, Series const& series, std::v
         script << "set key at screen " << number(sheet.bar.left, 6) << ",screen " << number(sheet.bar.top, 6)
                << " left top Left reverse samplen 0.6 spacing 1.4 vertical maxrows 6\n";
     else if (coloured())
-        script << "set cbtics textcolor rgb '#202020'\n", scene.bar.writeScale(script);
+        script << "set cbtics textcolor rgb '#202020'\n", scene.bar.writeScale(script, sheet, pictures_.fontSize);
     script << "set multiplot\n";
     std::vector<Colour> const wall{wallColour};
     for (std::size_t k = 0; k < chosen.size(); ++k)
     {
-        ParticleFrame const frame = frameOf(series, chosen[k]);
+        ParticleFrame const frame = frameOf(series, chosen[k], scene);
         PanelPixels const pixels(sheet, sheet.panels[k]);
         SpaceImage image(camera, window, pixels.width, pixels.height);
         if (!scene.walls.triangles.empty())

@@ -45,25 +45,36 @@ void SpacePlot::readView(Dictionary const& dict)
         bool const fits = corners.size() == 2 && (corners[0].array() < corners[1].array()).all();
         require(fits, dict.where("region"), "region must be two corners, the lower one first", "region ((0 0 0) (4 1 2));");
         region_ = SpaceBox{corners[0], corners[1]};
+        for (int d = 0; d < 3; ++d)
+        {
+            cuts_.push_back({corners[0], -Vector::Unit(d)});
+            cuts_.push_back({corners[1], Vector::Unit(d)});
+        }
     }
     if (dict.found("clip"))
     {
         Dictionary const clip = dict.subDict("clip");
         auto const normal = clip.get<Vector>("normal");
         require(normal.allFinite() && normal.norm() > 0, clip.where("normal"), "the normal of the clip plane is zero");
-        clip_ = CutPlane{clip.get<Vector>("point"), normal.normalized()};
+        cuts_.push_back({clip.get<Vector>("point"), normal.normalized()});
     }
 }
 
-ParticleFrame SpacePlot::frameOf(Series const& series, std::size_t i) const
+bool SpacePlot::isCutAway(Vector const& r, Real margin) const
+{
+    return std::any_of(cuts_.begin(), cuts_.end(), [&](CutPlane const& cut) { return (r - cut.point).dot(cut.normal) > margin; });
+}
+
+ParticleFrame SpacePlot::frameOf(Series const& series, std::size_t i, Scene const& scene) const
 {
     ParticleFrame frame = series.frame(i);
     if (!region_) return frame;
+    Real const rim = 4 * scene.spacing;
     std::vector<std::size_t> kept;
     for (std::size_t k = 0; k < frame.type.size(); ++k)
     {
         auto const r = frame.data.position[k].array();
-        if ((r >= region_->low.array()).all() && (r <= region_->high.array()).all()) kept.push_back(k);
+        if ((r >= region_->low.array() - rim).all() && (r <= region_->high.array() + rim).all()) kept.push_back(k);
     }
     auto const keep = [&kept](auto& values) {
         for (std::size_t k = 0; k < kept.size(); ++k) values[k] = values[kept[k]];
@@ -130,7 +141,8 @@ void SpacePlot::growBox(PostCase const& postCase, ParticleFrame const& frame, Sc
     };
     if (scene.box.low.x() > scene.box.high.x()) // no walls
         for (Vector const& r : frame.fluid())
-            for (Real const side : {-0.5, 0.5}) take(r + Vector::Constant(side * scene.spacing));
+            for (Real const side : {-0.5, 0.5})
+                if (!isCutAway(r)) take(r + Vector::Constant(side * scene.spacing));
     for (std::string const& body : scene.bodies)
         for (auto const& outline : bodyOutlines(postCase, body, frame.time, where_))
             for (Vector const& r : outline)
@@ -150,12 +162,12 @@ SpacePlot::Scene SpacePlot::sceneOf(PostCase const& postCase, Series const& seri
     scene.bodies = bodies_ ? *bodies_ : seriesNames(postCase);
     if (!bodies_) std::erase(scene.bodies, series_);
     findWalls(series, scene);
-    growBox(postCase, frameOf(series, chosen.front()), scene);
+    growBox(postCase, frameOf(series, chosen.front(), scene), scene);
     scene.bar.palette = palette_;
     scene.bar.label = label_;
     RangeFinder finder;
     for (std::size_t const i : chosen)
-        if (coloured() && !range_) finder.add(colouredValues(frameOf(series, i), scene));
+        if (coloured()) finder.add(colouredValues(frameOf(series, i, scene), scene));
     require(range_ || !coloured() || !finder.empty(), where_, "there is no fluid to colour at these times");
     if (coloured() && !categorical()) finder.set(scene.bar, range_, fromZero_);
     std::vector<Real> times;

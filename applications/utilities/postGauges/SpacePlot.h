@@ -24,7 +24,7 @@ namespace mpsDem::postGauges {
 /// | field | of the colours | as the kind |
 /// | range scale label palette | of the colours, as for `particles` | palette viridis |
 /// | camera | { }, see CameraControls | |
-/// | region | ((x y z) (x y z)) [m], only what lies in it is drawn | all |
+/// | region | ((x y z) (x y z)) [m], only what lies in it is drawn, water is cut at its sides | all |
 /// | clip | { point normal }: what lies beyond is cut away | none |
 /// | walls | drawn | true |
 /// | bodies | names of bodies drawn | all in VTK/ |
@@ -57,14 +57,17 @@ protected:
     [[nodiscard]] std::string const& field() const { return field_; }
     [[nodiscard]] Real scale() const { return scale_; }
     [[nodiscard]] bool coloured() const { return field_ != "none"; }
-    [[nodiscard]] std::optional<CutPlane> const& clip() const { return clip_; }
+    /// Planes of `clip` and of the sides of `region`.
+    [[nodiscard]] std::vector<CutPlane> const& cuts() const { return cuts_; }
     [[nodiscard]] Location const& where() const { return where_; }
-    [[nodiscard]] bool isClipped(Vector const& r) const { return clip_ && (r - clip_->point).dot(clip_->normal) > 0; }
+    /// Whether the place lies beyond one of the cuts, by more than `margin` [m].
+    [[nodiscard]] bool isCutAway(Vector const& r, Real margin = 0) const;
     [[nodiscard]] bool categorical() const { return field_ == "type" || field_ == "surface"; }
 
 private:
     void readView(Dictionary const& dict);
-    [[nodiscard]] ParticleFrame frameOf(Series const& series, std::size_t i) const;
+    /// Particles of the region and, so that its water is cut and does not end there, of a rim around it.
+    [[nodiscard]] ParticleFrame frameOf(Series const& series, std::size_t i, Scene const& scene) const;
     [[nodiscard]] Scene sceneOf(PostCase const& postCase, Series const& series, std::vector<std::size_t> const& chosen) const;
     void findWalls(Series const& series, Scene& scene) const;
     void growBox(PostCase const& postCase, ParticleFrame const& frame, Scene& scene) const;
@@ -84,7 +87,7 @@ private:
     bool fromZero_ = false;
     CameraControls camera_;
     std::optional<SpaceBox> region_;
-    std::optional<CutPlane> clip_;
+    std::vector<CutPlane> cuts_;
     bool walls_ = true, axes_ = true;
     std::optional<std::vector<std::string>> bodies_;
     std::string title_;

@@ -14,7 +14,25 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr Colour waterBlue = {0.25F, 0.53F, 0.76F};
-constexpr Real meanRadius = 2; ///< Of the values on the surface [spacings].
+constexpr Colour plainWater = {0.62F, 0.77F, 0.90F}; ///< Of faces at walls and cuts, whose elevation says nothing of waves.
+constexpr Real meanRadius = 2;                       ///< Of the values on the surface [spacings].
+constexpr Real wallShare = 0.2;                      ///< Of walls and bodies among the particles near a face, above which it lies at one.
+constexpr std::pair<Real, Real> tilt{0.3, 0.65};     ///< Upward part of its normal: plain below, coloured above.
+
+Colour mixed(Colour const& a, Colour const& b, Real share)
+{
+    Colour result{};
+    for (std::size_t c = 0; c < 3; ++c) result[c] = static_cast<float>(a[c] + share * (static_cast<Real>(b[c]) - a[c]));
+    return result;
+}
+
+/// Share of walls and bodies among the particles near places.
+std::vector<Real> solidShare(ParticleFrame const& frame, std::vector<Vector> const& places, Real spacing)
+{
+    std::vector<Real> solid;
+    for (int const type : frame.type) solid.push_back(type == static_cast<int>(ParticleKind::Fluid) ? 0 : 1);
+    return KernelMean(frame.data.position, meanRadius * spacing).at(places, solid);
+}
 
 /// Adds a file to a series, in the order of time; entries of files that are gone are left out.
 void addToSeries(fs::path const& path, SeriesEntry const& added)
@@ -47,7 +65,7 @@ WaterSurfaceControls WaterSurfacePlot::controlsFor(Scene const& scene) const
     controls.spacing = scene.spacing;
     controls.resolution = resolution_;
     controls.smoothing = smoothing_;
-    controls.clip = clip();
+    controls.cuts = cuts();
     return controls;
 }
 
@@ -71,7 +89,7 @@ std::vector<Real> WaterSurfacePlot::colouredValues(ParticleFrame const& frame, S
     {
         if (frame.type[i] != static_cast<int>(ParticleKind::Fluid)) continue;
         bool const seen = surface == frame.data.integers.end() || surface->second[i] != 0;
-        if (seen && !isClipped(frame.data.position[i])) values.push_back(scale() * all[k]);
+        if (seen && !isCutAway(frame.data.position[i])) values.push_back(scale() * all[k]);
         ++k;
     }
     return values;
@@ -81,10 +99,29 @@ void WaterSurfacePlot::drawDrops(ParticleFrame const& frame, Scene const& scene,
 {
     std::vector<Vector> const fluid = frame.fluid();
     std::vector<Real> const share = filledShare(fluid, frame.solid(), controlsFor(scene));
+    std::vector<Real> const walls = solidShare(frame, fluid, scene.spacing);
     std::vector<Real> const values = coloured() ? fluidValues(frame, field(), scene) : std::vector<Real>();
     for (std::size_t i = 0; i < fluid.size(); ++i)
-        if (share[i] < 0.5 && !isClipped(fluid[i]))
-            image.addSphere(fluid[i], 0.4 * scene.spacing, coloured() ? scene.bar.colour(scale() * values[i]) : waterBlue);
+    {
+        if (share[i] >= 0.5 || isCutAway(fluid[i])) continue;
+        Colour colour = coloured() ? scene.bar.colour(scale() * values[i]) : waterBlue;
+        if (field() == "elevation" && walls[i] > wallShare) colour = plainWater;
+        image.addSphere(fluid[i], 0.4 * scene.spacing, colour);
+    }
+}
+
+std::vector<Colour> WaterSurfacePlot::elevationColours(ParticleFrame const& frame, Scene const& scene, SurfaceMesh const& mesh) const
+{
+    std::vector<Real> const walls = solidShare(frame, mesh.points, scene.spacing);
+    std::vector<Colour> colours;
+    for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    {
+        Colour const colour = scene.bar.colour(scale() * (mesh.points[i].dot(scene.up) - zero_));
+        bool const aside = walls[i] > wallShare || isCutAway(mesh.points[i], -scene.spacing);
+        Real const level = (mesh.normals[i].dot(scene.up) - tilt.first) / (tilt.second - tilt.first);
+        colours.push_back(aside ? mixed(plainWater, colour, std::clamp(level, 0.0, 1.0)) : colour);
+    }
+    return colours;
 }
 
 void WaterSurfacePlot::drawFluid(PostCase const& postCase, ParticleFrame const& frame, Scene const& scene, SpaceImage& image) const
@@ -92,15 +129,13 @@ void WaterSurfacePlot::drawFluid(PostCase const& postCase, ParticleFrame const& 
     std::vector<Vector> const fluid = frame.fluid();
     SurfaceMesh const mesh = waterSurface(fluid, frame.solid(), controlsFor(scene));
     std::vector<Colour> colours{waterBlue};
-    if (coloured())
+    if (field() == "elevation")
+        colours = elevationColours(frame, scene, mesh);
+    else if (coloured())
     {
-        std::vector<Real> values;
-        if (field() == "elevation")
-            for (Vector const& r : mesh.points) values.push_back(r.dot(scene.up) - zero_);
-        else
-            values = KernelMean(fluid, meanRadius * scene.spacing).at(mesh.points, fluidValues(frame, field(), scene));
         colours.clear();
-        for (Real const value : values) colours.push_back(scene.bar.colour(scale() * value));
+        for (Real const value : KernelMean(fluid, meanRadius * scene.spacing).at(mesh.points, fluidValues(frame, field(), scene)))
+            colours.push_back(scene.bar.colour(scale() * value));
     }
     if (drops_) drawDrops(frame, scene, image);
     Real const absorption = absorption_ > 0 ? absorption_ : 1 / (scene.box.high - scene.box.low).minCoeff();

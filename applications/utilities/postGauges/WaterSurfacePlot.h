@@ -12,7 +12,7 @@ namespace mpsDem::postGauges {
 ///
 /// | key | meaning | default |
 /// |---|---|---|
-/// | field | elevation (along -g, less `zero`), none (water blue), or a field as for `particles`, interpolated | elevation |
+/// | field | elevation (along -g, less `zero`; plain blue at walls, bodies and cuts), none (water blue), or a field as for `particles`, interpolated | elevation |
 /// | zero | level that counts as elevation 0 [m] | 0 |
 /// | opacity | of a thin layer of water, 0.05 to 1 | 0.75 |
 /// | absorption | of light in water [1/m]; larger hides more of what lies behind | 1 over the height of the scene |
@@ -34,6 +34,8 @@ private:
     [[nodiscard]] WaterSurfaceControls controlsFor(Scene const& scene) const;
     /// Values of the fluid's particles, without those of walls.
     [[nodiscard]] std::vector<Real> fluidValues(ParticleFrame const& frame, std::string const& field, Scene const& scene) const;
+    /// By elevation on the free surface, plain where the water ends at a wall, a body or a cut.
+    [[nodiscard]] std::vector<Colour> elevationColours(ParticleFrame const& frame, Scene const& scene, SurfaceMesh const& mesh) const;
     void drawDrops(ParticleFrame const& frame, Scene const& scene, SpaceImage& image) const;
     void write(PostCase const& postCase, ParticleFrame const& frame, Scene const& scene, SurfaceMesh const& mesh) const;
 
