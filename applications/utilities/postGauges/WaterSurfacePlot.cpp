@@ -83,16 +83,18 @@ std::vector<Real> WaterSurfacePlot::colouredValues(ParticleFrame const& frame, S
 {
     std::vector<Real> const all = fluidValues(frame, field(), scene);
     auto const surface = frame.data.integers.find("surface");
-    std::vector<Real> values;
+    bool const plain = field() == "elevation";
+    std::vector<Real> const walls = plain ? solidShare(frame, frame.data.position, scene.spacing) : std::vector<Real>(frame.type.size(), 0);
+    std::vector<Real> values, amongWalls; // the latter only where there are no others
     std::size_t k = 0;
     for (std::size_t i = 0; i < frame.type.size(); ++i)
     {
         if (frame.type[i] != static_cast<int>(ParticleKind::Fluid)) continue;
         bool const seen = surface == frame.data.integers.end() || surface->second[i] != 0;
-        if (seen && !isCutAway(frame.data.position[i])) values.push_back(scale() * all[k]);
+        if (seen && !isCutAway(frame.data.position[i])) (walls[i] < 0.5 ? values : amongWalls).push_back(scale() * all[k]);
         ++k;
     }
-    return values;
+    return values.empty() ? amongWalls : values;
 }
 
 void WaterSurfacePlot::drawDrops(ParticleFrame const& frame, Scene const& scene, SpaceImage& image) const
