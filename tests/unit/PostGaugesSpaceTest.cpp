@@ -1,4 +1,5 @@
 #include <cmath>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -239,6 +240,31 @@ TEST(PostGaugesColourBar, ColoursAndRange)
     EXPECT_TRUE(bar.above);
     EXPECT_FALSE(bar.below);
     EXPECT_EQ(niceTics(0, 1.6, 4), (std::vector<Real>{0, 0.5, 1, 1.5}));
+}
+
+/// How often the word stands in the text.
+int countOf(std::string const& text, std::string const& word)
+{
+    int count = 0;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+    return count;
+}
+
+TEST(PostGaugesColourBar, HasAsManyNumbersAsThereIsRoomFor)
+{
+    ColourBar bar;
+    bar.range = {0.03, 0.11};
+    bar.above = true;
+    for (auto const& [window, numbers] : std::vector<std::pair<Window, int>>{{{0, 10, 0, 10}, 9}, {{0, 10, 0, 2}, 4}, {{0, 10, 0, 0.6}, 1}})
+    {
+        SheetLayout const sheet = layOut(1, 1, window, 1200, 1200, 13, 110);
+        std::ostringstream script;
+        bar.writeScale(script, sheet, 13);
+        EXPECT_EQ(countOf(script.str(), "' 0.") - 1, numbers) << script.str(); // one of them has no text
+        EXPECT_EQ(countOf(script.str(), "'\u2265 0.11' 0.11"), 1) << "the end that cuts values is always told";
+    }
+    EXPECT_EQ(ticsAbove(10, 13), 1);
+    EXPECT_EQ(ticsAbove(4000, 13), 10);
 }
 
 } // namespace

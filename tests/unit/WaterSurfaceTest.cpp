@@ -111,6 +111,18 @@ TEST(WaterSurface, IsCutOpenAtAPlane)
     expectBelow("water surface: cut, its rim [spacings]", rim, 0.1); // smoothing a right angle overshoots
 }
 
+TEST(WaterSurface, IsCutAtSeveralPlanes)
+{
+    Tank const tank; // 12 x 6 x 10 spacings
+    auto controls = controlsOf(2, 0);
+    controls.cuts = {CutPlane{Vector(9, 0, 0), Vector::UnitX()}, CutPlane{Vector(3, 0, 0), -Vector::UnitX()}};
+    SurfaceMesh const mesh = waterSurface(tank.fluid, tank.solid, controls);
+    expectBetween("water surface: between two cuts, volume over particles' volumes", mesh.volume() / 360, 0.96, 1.0);
+    Real low = 1e300, high = -1e300;
+    for (Vector const& r : mesh.points) low = std::min(low, r.x()), high = std::max(high, r.x());
+    expectBelow("water surface: between two cuts, farthest beyond [spacings]", std::max(3 - low, high - 9), 1e-5);
+}
+
 TEST(WaterSurface, PassesALoneDropBy)
 {
     std::vector<Vector> fluid = lattice({0, 0, 0}, {6, 6, 6});

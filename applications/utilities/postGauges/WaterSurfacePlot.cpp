@@ -17,7 +17,7 @@ constexpr Colour waterBlue = {0.25F, 0.53F, 0.76F};
 constexpr Colour plainWater = {0.62F, 0.77F, 0.90F}; ///< Of faces at walls and cuts, whose elevation says nothing of waves.
 constexpr Real meanRadius = 2;                       ///< Of the values on the surface [spacings].
 constexpr Real wallShare = 0.2;                      ///< Of walls and bodies among the particles near a face, above which it lies at one.
-constexpr std::pair<Real, Real> tilt{0.3, 0.65};     ///< Upward part of its normal: plain below, coloured above.
+constexpr std::pair<Real, Real> tilt{0.5, 0.85};     ///< Upward part of its normal: plain below, coloured above.
 
 Colour mixed(Colour const& a, Colour const& b, Real share)
 {
