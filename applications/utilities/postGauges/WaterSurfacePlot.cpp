@@ -82,19 +82,21 @@ std::vector<Real> WaterSurfacePlot::fluidValues(ParticleFrame const& frame, std:
 std::vector<Real> WaterSurfacePlot::colouredValues(ParticleFrame const& frame, Scene const& scene) const
 {
     std::vector<Real> const all = fluidValues(frame, field(), scene);
-    auto const surface = frame.data.integers.find("surface");
-    bool const plain = field() == "elevation";
-    std::vector<Real> const walls = plain ? solidShare(frame, frame.data.position, scene.spacing) : std::vector<Real>(frame.type.size(), 0);
-    std::vector<Real> values, amongWalls; // the latter only where there are no others
+    auto const flags = frame.data.integers.find("surface");
+    bool const flagged = flags != frame.data.integers.end(), elevation = field() == "elevation";
+    auto const walls = elevation ? solidShare(frame, frame.data.position, scene.spacing) : std::vector<Real>(frame.type.size(), 0);
+    Real const rise = elevation ? 0.5 * scene.spacing : 0; // from the centre of a particle to the surface
+    std::vector<Real> values, others; // the latter, below the surface or among walls, only where there are no better ones
     std::size_t k = 0;
     for (std::size_t i = 0; i < frame.type.size(); ++i)
     {
         if (frame.type[i] != static_cast<int>(ParticleKind::Fluid)) continue;
-        bool const seen = surface == frame.data.integers.end() || surface->second[i] != 0;
-        if (seen && !isCutAway(frame.data.position[i])) (walls[i] < 0.5 ? values : amongWalls).push_back(scale() * all[k]);
+        int const flag = flagged ? flags->second[i] : 1;
+        bool const free = !elevation || (flag == 1 && walls[i] < 0.5);
+        if (flag != 0 && !isCutAway(frame.data.position[i])) (free ? values : others).push_back(scale() * (all[k] + rise));
         ++k;
     }
-    return values.empty() ? amongWalls : values;
+    return values.empty() ? others : values;
 }
 
 void WaterSurfacePlot::drawDrops(ParticleFrame const& frame, Scene const& scene, SpaceImage& image) const
