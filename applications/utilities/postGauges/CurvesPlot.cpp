@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "core/Log.h"
+#include "postGauges/SheetLayout.h"
 #include "postGauges/Text.h"
 
 namespace mpsDem::postGauges {
@@ -41,13 +43,34 @@ void CurvesPlot::readComparison(Dictionary const& dict)
     comparison_ = asked;
 }
 
+namespace {
+
+/// From zero beyond the value that all points have; nothing where they differ.
+std::optional<std::pair<Real, Real>> rangeOfLevel(std::vector<Curve> const& curves)
+{
+    std::vector<Real> values;
+    for (Curve const& curve : curves)
+    {
+        auto const finite = finitePoints(curve.points).y;
+        values.insert(values.end(), finite.begin(), finite.end());
+        values.insert(values.end(), curve.upper.begin(), curve.upper.end());
+    }
+    if (values.empty() || std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) != values.end()) return std::nullopt;
+    Real const twice = 2 * values.front();
+    return twice == 0 ? std::pair(-1.0, 1.0) : niceRange(std::min(0.0, twice), std::max(0.0, twice));
+}
+
+} // namespace
+
 void CurvesPlot::draw(PostCase const& postCase) const
 {
     std::vector<Curve> const curves = loadCurves(sources_, postCase);
     if (curves.empty()) throw CaseError(ExitCode::InputOutput, sources_.front().table.where, "none of the files of the plot is there");
-    Picture picture(postCase.plots(), name(), axes_.width, axes_.height, pictures_);
+    Axes axes = axes_;
+    if (!axes.yRange && !axes.logY) axes.yRange = rangeOfLevel(curves);
+    Picture picture(postCase.plots(), name(), axes.width, axes.height, pictures_);
     writeStyle(picture.script());
-    axes_.write(picture.script());
+    axes.write(picture.script());
     drawCurves(curves, picture);
     render(postCase, picture);
     if (comparison_) compare(postCase, curves);
