@@ -52,6 +52,33 @@ std::map<Real, fs::path> numbered(fs::path const& folder, std::string const& bef
     return found;
 }
 
+/// A long channel is drawn wider than it is.
+Window stretched(Window window)
+{
+    window.yHigh = std::max(window.yHigh, window.yLow + leastHeight * (window.xHigh - window.xLow));
+    return window;
+}
+
+/// Where the map lies, and its tics.
+void writePlace(std::ostream& script, SheetLayout const& sheet, Window const& window, int fontSize)
+{
+    Box const& panel = sheet.panels.front();
+    writeMargins(script, panel);
+    int const tics = ticsAbove((panel.top - panel.bottom) * sheet.height, fontSize);
+    if (auto const places = niceTics(window.yLow, window.yHigh, tics); places.size() > 1)
+        script << "set ytics " << number(places[1] - places[0]) << '\n';
+    script << "set xrange [" << number(window.xLow, 9) << ':' << number(window.xHigh, 9) << "]\nset yrange [" << number(window.yLow, 9)
+           << ':' << number(window.yHigh, 9) << "]\n";
+}
+
+/// The lines of these values as the data block $lines.
+void writeContours(std::ostream& script, std::string const& data, std::vector<Real> const& values)
+{
+    script << "set contour base\nunset surface\nset cntrparam levels discrete ";
+    for (std::size_t k = 0; k < values.size(); ++k) script << (k > 0 ? "," : "") << number(values[k], 9);
+    script << "\nset table $lines\nsplot " << data << " using 1:2:3\nunset table\nunset contour\nset surface\n";
+}
+
 } // namespace
 
 MapGrid MapGrid::read(Table const& table, std::string const& xName, std::string const& yName, std::string const& valueName,
@@ -139,28 +166,17 @@ void MapPlot::draw(PostCase const& postCase) const
     auto const [xLow, xHigh] = std::minmax_element(grid.x.begin(), grid.x.end());
     auto const [yLow, yHigh] = std::minmax_element(grid.y.begin(), grid.y.end());
     Window const window{*xLow - 0.5 * stepX, *xHigh + 0.5 * stepX, *yLow - 0.5 * stepY, *yHigh + 0.5 * stepY};
-    Window shown = window; // a long channel is drawn wider than it is
-    shown.yHigh = std::max(window.yHigh, window.yLow + leastHeight * (window.xHigh - window.xLow));
-    auto const sheet = layOut(1, 1, shown, width_, maxHeight_, pictures_.fontSize, 110);
+    auto const sheet = layOut(1, 1, stretched(window), width_, maxHeight_, pictures_.fontSize, 110);
     Picture picture(postCase.plots(), name(), sheet.width, sheet.height, pictures_);
     auto& script = picture.script();
     std::string const data = picture.addData(rows);
     script << "set border 15 lw 1 lc rgb '#404040'\nset tics out scale 0.6 nomirror textcolor rgb '#202020'\nunset key\n";
     bar.writeScale(script, sheet, pictures_.fontSize);
     bar.writeBox(script, sheet, pictures_.fontSize);
-    writeMargins(script, sheet.panels.front());
-    Real const high = (sheet.panels.front().top - sheet.panels.front().bottom) * sheet.height;
-    if (auto const tics = niceTics(window.yLow, window.yHigh, ticsAbove(high, pictures_.fontSize)); tics.size() > 1)
-        script << "set ytics " << number(tics[1] - tics[0]) << '\n';
-    if (!contours_.empty())
-    {
-        script << "set contour base\nunset surface\nset cntrparam levels discrete ";
-        for (std::size_t k = 0; k < contours_.size(); ++k) script << (k > 0 ? "," : "") << number(contours_[k], 9);
-        script << "\nset table $lines\nsplot " << data << " using 1:2:3\nunset table\nunset contour\nset surface\n";
-    }
-    script << "set xrange [" << number(window.xLow, 9) << ':' << number(window.xHigh, 9) << "]\nset yrange [" << number(window.yLow, 9)
-           << ':' << number(window.yHigh, 9) << "]\nset title " << quoted(title_) << "\nset xlabel " << quoted(xLabel_) << "\nset ylabel "
-           << quoted(yLabel_) << "\nplot " << data << " using 1:2:3 with image";
+    if (!contours_.empty()) writeContours(script, data, contours_);
+    writePlace(script, sheet, window, pictures_.fontSize);
+    script << "set title " << quoted(title_) << "\nset xlabel " << quoted(xLabel_) << "\nset ylabel " << quoted(yLabel_) << "\nplot "
+           << data << " using 1:2:3 with image";
     if (!contours_.empty()) script << ", $lines using 1:2 with lines lw 1.2 lc rgb '#202020'";
     script << '\n';
     info() << "    from " << postCase.shown(source) << '\n';
