@@ -91,7 +91,7 @@ std::vector<Real> WaterSurfacePlot::colouredValues(ParticleFrame const& frame, S
     for (std::size_t i = 0; i < frame.type.size(); ++i)
     {
         if (frame.type[i] != static_cast<int>(ParticleKind::Fluid)) continue;
-        int const flag = flagged ? flags->second[i] : 1;
+        std::int64_t const flag = flagged ? flags->second[i] : 1;
         bool const free = !elevation || (flag == 1 && walls[i] < 0.5);
         if (flag != 0 && !isCutAway(frame.data.position[i])) (free ? values : others).push_back(scale() * (all[k] + rise));
         ++k;
