@@ -30,10 +30,10 @@ void WallGuard::findSuspects(ParticleSet const& particles, NeighbourList const& 
     }
 }
 
-Real WallGuard::apply(ParticleSet& particles, NeighbourList const& neighbours)
+WallGuard::Exchange WallGuard::apply(ParticleSet& particles, NeighbourList const& neighbours)
 {
     findSuspects(particles, neighbours);
-    Real taken = 0;
+    Exchange exchange;
     for (int const i : suspects_)
     {
         auto const near = tree_.nearest(particles.r[i]);
@@ -43,10 +43,11 @@ Real WallGuard::apply(ParticleSet& particles, NeighbourList const& neighbours)
         Real const into = std::max(Real(0), -particles.u[i].dot(way));
         particles.r[i] += (depth - deepest * spacing_) * way;
         particles.u[i] += into * way;
-        taken += 0.5 * into * into;
+        exchange.energyTaken += 0.5 * into * into;
+        exchange.impulseGiven += into * way;
         ++putBack_;
     }
-    return taken;
+    return exchange;
 }
 
 } // namespace mpsDem

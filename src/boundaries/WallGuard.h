@@ -23,8 +23,14 @@ public:
     /// @param spacing  l0 [m].
     WallGuard(std::span<TriSurface const> walls, Real spacing) : tree_(walls), spacing_(spacing) {}
 
-    /// Changes u and r of fluid particles. @return kinetic energy taken over the mass of a particle [J/kg], of this rank.
-    Real apply(ParticleSet& particles, NeighbourList const& neighbours);
+    /// What the walls did in a step, over the mass of a particle, on this rank.
+    struct Exchange
+    {
+        Real energyTaken = 0;                 ///< [J/kg].
+        Vector impulseGiven = Vector::Zero(); ///< [m/s].
+    };
+    /// Changes u and r of fluid particles.
+    Exchange apply(ParticleSet& particles, NeighbourList const& neighbours);
 
     /// Signed distance from the walls [m], and whether the nearest place is a rim.
     [[nodiscard]] TriangleTree::Nearest nearest(Vector const& r) const { return tree_.nearest(r); }

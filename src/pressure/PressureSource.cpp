@@ -6,17 +6,26 @@
 
 namespace mpsDem {
 
+namespace {
+
+/// Share of n in the balanced density. A disordered cloud in 3-D has n up to 1 % below that of a lattice of the same density, and the
+/// smooth density some 0.5 % above it: with this share both together tell its volume (etc/doc/three-dimensions.md).
+constexpr Real balancedShare = 0.3;
+
+} // namespace
+
 PressureSource::PressureSource(Dictionary const& dict, SchemeSet set, Lattice const& lattice, Real gradientRadius, Real density)
     : density_(density)
 {
     bool const paper = set == SchemeSet::Paper, waves = set == SchemeSet::Waves;
-    // In 3-D the number density of a disordered cloud lies below that of the lattice: it would be pressed together by one percent.
-    bool const corrected = waves || (!paper && lattice.dimensions == 3);
+    bool const inSpace = lattice.dimensions == 3, corrected = waves || (!paper && inSpace);
     std::string const type = dict.getWordOr("type", "mixed", {"mixed", "density", "divergence"}, "source schemes");
     type_ = type == "density" ? Type::Density : type == "divergence" ? Type::Divergence : Type::Mixed;
     corrected_ = dict.getWordOr("divergence", corrected ? "corrected" : "plain", {"plain", "corrected"}, "forms of eq 5") == "corrected";
-    if (dict.getWordOr("density", corrected ? "smooth" : "number", {"number", "smooth"}, "measures of density") == "smooth")
-        smooth_.emplace(lattice, gradientRadius);
+    std::string const usual = corrected && inSpace ? "balanced" : corrected ? "smooth" : "number";
+    std::string const measure = dict.getWordOr("density", usual, {"number", "smooth", "balanced"}, "measures of density");
+    if (measure != "number") smooth_.emplace(lattice, gradientRadius);
+    if (measure == "balanced") numberShare_ = balancedShare;
     char const* const idle = type_ == Type::Density && corrected_ ? "divergence" : type_ == Type::Divergence && smooth_ ? "density" : "";
     require(*idle == 0, dict.where(idle), "type " + type + " has no " + idle + " whose form could be chosen",
             "type mixed, or no such entry");
@@ -39,7 +48,8 @@ Real PressureSource::gamma(Step const& step) const
 Real PressureSource::densityError(ParticleSet const& particles, NeighbourList const& neighbours, int i) const
 {
     bool const smooth = smooth_ && particles.surface[i] != SurfaceLabel::NearSurface;
-    Real const e = (smooth ? (*smooth_)(particles, neighbours, i) : particles.n[i]) - 1;
+    Real const share = smooth ? numberShare_ : 1;
+    Real const e = share * particles.n[i] + (smooth ? (1 - share) * (*smooth_)(particles, neighbours, i) : 0) - 1;
     return clip_ > 0 ? std::clamp(e, -clip_, clip_) : e;
 }
 

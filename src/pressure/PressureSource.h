@@ -22,7 +22,7 @@ namespace mpsDem {
 /// | maxGamma | upper bound of dt/tau | - | 0.1 | 0..1 |
 /// | densityClip | bound of abs(e); 0: none. A clip of 0.02 leaves foam above the submarine wedge that never closes | - | 0 | 0..1 |
 /// | divergence | plain (eq 5), corrected (CorrectedDivergence.h) for fluid particles | - | plain; waves, and standard in 3-D: corrected | - |
-/// | density | number (e as above), smooth (SmoothDensity) for fluid particles that have no surface beside them | - | number; waves, and standard in 3-D: smooth | - |
+/// | density | number (e as above); for fluid particles that have no surface beside them: smooth (SmoothDensity), balanced (0.7 smooth + 0.3 number) | - | number; waves: smooth; waves and standard in 3-D: balanced | - |
 /// | rampSteps | gamma grows from 0 over the first steps of a run from rest | - | 20, 0 | 0..1000 |
 class PressureSource
 {
@@ -69,6 +69,7 @@ private:
     Type type_;
     bool corrected_;
     std::optional<SmoothDensity> smooth_;
+    Real numberShare_ = 0; ///< Of n in e, where the smooth density has the rest.
     Real density_, relaxationTime_, gamma_, maxGamma_, clip_;
     int rampSteps_;
 };

@@ -42,6 +42,7 @@ FluidStage::FluidStage(ParticleSet& particles, std::vector<Surface> const& walls
     {
         wallGuard_.emplace(triangles, particles.lattice().spacing);
         takenByWalls_ = &ledger.energy("energy/walls");
+        givenByWalls_ = &ledger.impulse("impulse/collisionWithWalls");
     }
     Real const infinity = std::numeric_limits<Real>::infinity();
     low_ = Vector::Constant(infinity);
@@ -119,6 +120,7 @@ void FluidStage::label()
     images_.update(particles_.surface, particles_.halo());
     labeller_->label(particles_, neighbours_, fluid_.gradientConstants());
     images_.update(particles_.wet, particles_.halo());
+    images_.update(particles_.surface, particles_.halo()); // a wall that only the surface wets carries its pressure
 }
 
 void FluidStage::predict(Step const& step)
@@ -173,7 +175,9 @@ void FluidStage::guardWalls()
     if (!wallGuard_) return;
     Timers::Scope const timer(Timers::stage(boundaryTimer_));
     Real const mass = fluid_.density() * particles_.lattice().particleVolume();
-    *takenByWalls_ += mass * sumOverRanks(wallGuard_->apply(particles_, neighbours_));
+    WallGuard::Exchange const exchange = wallGuard_->apply(particles_, neighbours_);
+    *takenByWalls_ += mass * sumOverRanks(exchange.energyTaken);
+    *givenByWalls_ += mass * sumOverRanks(exchange.impulseGiven);
 }
 
 void FluidStage::checkFinite(Range const& range, Step const& step) const

@@ -89,6 +89,7 @@ private:
     std::vector<Polyline> walls_;        ///< 2-D
     std::optional<WallGuard> wallGuard_; ///< 3-D
     Real* takenByWalls_ = nullptr;       ///< Entry of the ledger [J].
+    Vector* givenByWalls_ = nullptr;     ///< The same [N s].
     Vector gravity_;
     Radii radii_;
     std::unique_ptr<BoundaryLabeller> labeller_;

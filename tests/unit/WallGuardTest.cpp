@@ -52,11 +52,12 @@ TEST(WallGuard, PutsParticlesBackThatSlipThroughTheFloor)
 {
     GuardedTank tank({{0.47, 0.52, 0.05}}, {1, 0, -2});
     tank.r(0).z() = -0.06;
-    Real const taken = tank.guard.apply(tank.particles, tank.neighbours);
+    WallGuard::Exchange const taken = tank.guard.apply(tank.particles, tank.neighbours);
     expectBelow("depth behind the floor less that allowed [m]", tank.r(0).z() + deepest, 1e-12);
     expectBelow("change along the floor [m]", (tank.r(0) - Vector(0.47, 0.52, -deepest)).norm(), 1e-12);
     expectBelow("velocity less that along the floor [m/s]", (tank.u(0) - Vector(1, 0, 0)).norm(), 1e-12);
-    expectBelow("energy taken per mass less that of the fall [J/kg]", taken - 2, 1e-12);
+    expectBelow("energy taken per mass less that of the fall [J/kg]", taken.energyTaken - 2, 1e-12);
+    expectBelow("impulse given per mass less that of the fall [m/s]", (taken.impulseGiven - Vector(0, 0, 2)).norm(), 1e-12);
     EXPECT_EQ(tank.guard.putBack(), 1);
 }
 
@@ -66,12 +67,13 @@ TEST(WallGuard, LeavesAloneWhatIsNotDeepMovesOutOrIsNearTheRim)
     tank.r(0).z() = -0.99 * deepest;      // pressed against the wall's particles
     tank.r(1).x() = -0.04;                // through a side wall, on its way along it
     tank.r(2) = Vector(-0.04, 0.2, 1.02); // over the rim
-    Real const taken = tank.guard.apply(tank.particles, tank.neighbours);
+    WallGuard::Exchange const taken = tank.guard.apply(tank.particles, tank.neighbours);
     EXPECT_EQ(tank.r(0), Vector(0.47, 0.52, -0.99 * deepest));
     expectBelow("side wall: change less that back to the depth allowed [m]", (tank.r(1) - Vector(-deepest, 0.5, 0.55)).norm(), 1e-12);
     EXPECT_EQ(tank.u(1), Vector(0, 0, -1));
     EXPECT_EQ(tank.r(2), Vector(-0.04, 0.2, 1.02));
-    EXPECT_EQ(taken, 0);
+    EXPECT_EQ(taken.energyTaken, 0);
+    EXPECT_EQ(taken.impulseGiven, Vector(0, 0, 0));
 }
 
 } // namespace

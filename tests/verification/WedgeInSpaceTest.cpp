@@ -29,9 +29,11 @@ void writeCase(RunCase& run, Real spacing, bool inSpace)
         run.threeDimensions();
     else
         run.write("constant/particleProperties", "spacing " + std::to_string(spacing) + "; thickness " + width + ";");
-    run.write("system/setParticlesDict", "geometry { tank { type polyline; points ((-0.6 1.6 0) (1 0 0) (4.5 0 0) (4.5 1.6 0)); " + range +
-                                             (inSpace ? "sideWalls yes; " : "") + "} }\nregions ( boxToParticle { box (-0.6 0 0) (4.5 1 " +
-                                             width + "); } );\nhydrostatic { surface 1; }");
+    // Cut cells are filled as in 3-D: empty ones let the water of 2-D sink by up to 7 mm at 0.04 m while the wave comes.
+    run.write("system/setParticlesDict",
+              "lattice { cutCells fill; } geometry { tank { type polyline; points ((-0.6 1.6 0) (1 0 0) (4.5 0 0) (4.5 1.6 0)); " + range +
+                  (inSpace ? "sideWalls yes; " : "") + "} }\nregions ( boxToParticle { box (-0.6 0 0) (4.5 1 " + width +
+                  "); } );\nhydrostatic { surface 1; }");
     run.write("constant/rigidBodyProperties",
               "bodies { slide { shape { type polygon; points ((0.01 0.99 0) (0.51 0.49 0) (0.51 0.99 0)); " + range +
                   "} density 2036; releaseTime 0.2; constraints { along { sixDoFRigidBodyMotionConstraint plane; normal (0 0 1); } "
@@ -40,7 +42,8 @@ void writeCase(RunCase& run, Real spacing, bool inSpace)
               "mu 0.0104724; e 0.2;\n"
               "stoppers { foot { type latch; body slide; point (0.95 0.05 0); normal (-0.70710678 0.70710678 0); } }");
     run.write("system/mpsSolution", "coupling { type strong; }");
-    run.write("system/mpsSchemes", "sourceSchemes { density smooth; divergence corrected; }"); // the standard of 3-D
+    if (!inSpace)
+        run.write("system/mpsSchemes", "sourceSchemes { divergence corrected; density smooth; }"); // nearest to the standard of 3-D
     run.control(1.5 + hold, 2e-3).make();
 }
 
@@ -94,6 +97,6 @@ void compare(Real spacing)
 
 TEST(WedgeInSpaceGate, movesAndMakesWavesAsIn2D) { compare(0.03); }
 
-TEST(WedgeInSpaceGate, movesAndMakesWavesAsIn2DAtACoarserSpacing) { compare(0.04); }
+TEST(WedgeInSpaceGate, movesAndMakesWavesAsIn2DAtAFinerSpacing) { compare(0.025); }
 
 } // namespace mpsDem::test
