@@ -49,7 +49,8 @@ function(mpsDemCompileOptions target)
     -Wall -Wextra -Wshadow -Wpedantic -Wconversion -Wno-sign-conversion
     -fno-math-errno
     $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>
-    "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-maybe-uninitialized;-Wno-stringop-overflow>" # false alarms of g++ 12 at -O3 in std::string
+    "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-maybe-uninitialized>" # false alarms of g++ 12 at -O3 inside std::string
+    "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${MPSDEM_PRECOMPILED}>>:-Wno-stringop-overflow;-Wno-array-bounds>" # the same, precompiled
     $<$<BOOL:${MPSDEM_WERROR}>:-Werror>
     $<$<BOOL:${MPSDEM_NATIVE}>:-march=native>)
   if(MPSDEM_SANITIZE)
