@@ -89,6 +89,19 @@ void reportRegions(std::ostream& out, SceneDefinition const& definition, Initial
     warn(text.str());
 }
 
+/// Warns where the level that `hydrostatic` gives lies far above all fluid: its pressure would blow the water apart.
+void checkLevel(SceneDefinition const& definition, InitialScene const& scene)
+{
+    if (!definition.hydrostatic || !definition.hasSurfaceLevel || scene.particles.fluid().size() == 0) return;
+    Vector const up = -definition.gravity.normalized();
+    Real highest = -std::numeric_limits<Real>::infinity();
+    for (int const i : scene.particles.fluid()) highest = std::max(highest, scene.particles.r[i].dot(up));
+    if (definition.surfaceLevel < highest + 2 * definition.lattice.spacing) return;
+    warn("hydrostatic/surface " + shortNumber(definition.surfaceLevel) + " m lies above all fluid, which reaches to " +
+         shortNumber(highest + 0.5 * definition.lattice.spacing) +
+         " m: the pressure of the start is too high by rho g times the difference");
+}
+
 void reportFluid(std::ostream& out, SceneDefinition const& definition, InitialScene const& scene)
 {
     int const count = scene.particles.fluid().size();
@@ -105,6 +118,7 @@ void reportFluid(std::ostream& out, SceneDefinition const& definition, InitialSc
     if (std::abs(error) > 5)
         problem << "the volume of the fluid particles differs from that of the geometry by " << error << " %; a smaller spacing reduces it";
     if (!problem.str().empty()) warn(problem.str());
+    checkLevel(definition, scene);
     for (std::string const& finding : doubtfulWalls(definition, scene)) warn(finding);
     if (close.crowded > 0) warn(std::to_string(close.crowded) + " fluid particles have another particle nearer than half a spacing");
 }

@@ -17,9 +17,13 @@ constexpr Real opposite = -0.95;  ///< Cosine between the normals of two sides o
 constexpr Real fewestAcross = 3;  ///< A finding has to be that many spacings long (2-D) or that squared wide (3-D).
 constexpr Real mostDown = 0.5;    ///< Share of what a wall covers from above, from which on it faces down.
 constexpr int mostParts = 200;    ///< Samples along a side of a triangle or segment.
-constexpr Real stride = 8;        ///< Of a search downwards, in spacings.
+constexpr Real stride = 8;        ///< Of a search downwards or aside, in spacings.
+constexpr Real overlap = 1e-3;    ///< Of its strides, in spacings: a wall where two of them meet counts.
 constexpr int mostStrides = 1000; ///< Of the same.
 constexpr int mostUnheld = 2;     ///< So many may be lost before a run ends.
+constexpr int mostAsked = 5000;   ///< Particles about a wall beside them.
+constexpr Real leastOpen = 0.02;  ///< Share of these that an open side leaves without one.
+constexpr Real straight = 0.9;    ///< Cosine below which an axis is across gravity.
 
 /// A piece of a wall.
 struct Sample
@@ -64,6 +68,12 @@ std::string placeText(Vector const& r)
     return "(" + shortNumber(r.x(), 4) + " " + shortNumber(r.y(), 4) + " " + shortNumber(r.z(), 4) + ") m";
 }
 
+std::string wayText(Vector const& way)
+{
+    auto const number = [](Real value) { return shortNumber(std::abs(value) < 1e-9 ? 0 : value, 3); };
+    return "(" + number(way.x()) + " " + number(way.y()) + " " + number(way.z()) + ")";
+}
+
 class WallChecks
 {
 public:
@@ -82,7 +92,11 @@ public:
         if (scene_.surfaces.empty() || scene_.particles.fluid().size() == 0) return {};
         findBacks();
         findThin();
+        if (down_.isZero()) return findings_;
+        holders_ = scene_.surfaces;
+        holders_.insert(holders_.end(), scene_.placed.begin(), scene_.placed.end());
         findUnheld();
+        findOpenSides();
         return findings_;
     }
 
@@ -155,37 +169,75 @@ private:
         return reached ? least : infinity;
     }
 
-    void findUnheld()
+    /// Fluid particles that meet neither wall nor body on a way.
+    struct Unmet
+    {
+        int count = 0, asked = 0;
+        int farthest = -1; ///< Of them along the way.
+    };
+
+    /// Asks each `every`th fluid particle; none where a periodic box lets it go on for ever.
+    [[nodiscard]] Unmet unmet(Vector const& way, int every) const
     {
         Field<Vector> const& r = scene_.particles.r;
-        Vector const far = 1e12 * down_;
-        if (down_.isZero() || !definition_.periodic.contains(r[scene_.particles.fluid().first] + far)) return;
-        std::vector<Surface> holders = scene_.surfaces;
-        holders.insert(holders.end(), scene_.placed.begin(), scene_.placed.end());
-        SurfaceRays const rays(holders);
-        Real lowest = -std::numeric_limits<Real>::infinity();
-        for (Surface const& holder : holders)
-            for (Vector const& point : holder.points()) lowest = std::max(lowest, point.dot(down_));
-        int count = 0, first = -1;
-        for (int const i : scene_.particles.fluid())
+        Range const fluid = scene_.particles.fluid();
+        Unmet result;
+        if (!definition_.periodic.contains(r[fluid.first] + 1e12 * way)) return result;
+        Real end = -std::numeric_limits<Real>::infinity();
+        for (Surface const& holder : holders_)
+            for (Vector const& point : holder.points()) end = std::max(end, point.dot(way));
+        SurfaceRays const rays(holders_);
+        for (int i = fluid.first; i < fluid.last; i += every)
         {
-            if (held(r[i], lowest + spacing_ - r[i].dot(down_), rays)) continue;
-            ++count;
-            if (first < 0 || r[i].dot(down_) > r[first].dot(down_) + 1e-6 * spacing_) first = i;
+            ++result.asked;
+            if (meets(r[i], way, end + spacing_ - r[i].dot(way), rays)) continue;
+            ++result.count;
+            if (result.farthest < 0 || r[i].dot(way) > r[result.farthest].dot(way) + 1e-6 * spacing_) result.farthest = i;
         }
-        if (count <= mostUnheld) return;
-        findings_.push_back(std::to_string(count) + " of " + std::to_string(scene_.particles.fluid().size()) +
-                            " fluid particles have no wall below them, the lowest at " + placeText(r[first]) +
-                            ": they will fall out; is a wall too small, or has it a hole?");
+        return result;
     }
 
-    /// Whether anything is met on the way down.
-    [[nodiscard]] bool held(Vector const& from, Real way, SurfaceRays const& rays) const
+    void findUnheld()
     {
-        Real const step = std::max(stride * spacing_, way / mostStrides);
+        Unmet const open = unmet(down_, 1);
+        if (open.count <= mostUnheld) return;
+        std::string text = std::to_string(open.count) + " of " + std::to_string(open.asked) +
+                           " fluid particles have no wall below them, the lowest at " + placeText(scene_.particles.r[open.farthest]) +
+                           ": they will fall out; ";
+        if (open.count == open.asked)
+        {
+            text += "no water would be left";
+            for (std::string const& other : findings_) text += "; " + other;
+            throw CaseError(ExitCode::BadInput, text, "a floor with its fluidSide towards the fluid");
+        }
+        findings_.push_back(text + "is a wall too small, or has it a hole?");
+    }
+
+    void findOpenSides()
+    {
+        bool const inSpace = definition_.lattice.dimensions == 3;
+        Vector const across = Vector::Unit(std::abs(down_.x()) < straight ? 0 : 1);
+        Vector const first = (across - across.dot(down_) * down_).normalized(), second = down_.cross(first);
+        int const every = std::max(1, static_cast<int>(scene_.particles.fluid().size()) / mostAsked);
+        for (Vector const& way : {first, Vector(-first), second, Vector(-second)})
+        {
+            if (!inSpace && std::abs(way.z()) > 0.5) continue;
+            Unmet const open = unmet(way, every);
+            if (open.count <= std::max<Real>(mostUnheld, leastOpen * open.asked)) continue;
+            findings_.push_back("fluid at " + placeText(scene_.particles.r[open.farthest]) + " has no wall beside it along " +
+                                wayText(way) + ", nor has it elsewhere (" + std::to_string(open.count) + " of " +
+                                std::to_string(open.asked) + " particles asked): it will run out there" +
+                                (inSpace ? "; sideWalls yes closes a channel" : ""));
+        }
+    }
+
+    [[nodiscard]] bool meets(Vector const& from, Vector const& way, Real length, SurfaceRays const& rays) const
+    {
+        Real const step = std::max(stride * spacing_, length / mostStrides);
         bool met = false;
-        for (Real gone = 0; gone < way && !met; gone += step)
-            rays.forEachHit(from + gone * down_, from + (gone + step) * down_, [&](SurfaceRays::Hit const&) { met = true; });
+        for (Real gone = 0; gone < length && !met; gone += step)
+            rays.forEachHit(from + (gone - overlap * spacing_) * way, from + (gone + step) * way,
+                            [&](SurfaceRays::Hit const&) { met = true; });
         return met;
     }
 
@@ -194,6 +246,7 @@ private:
     Real spacing_;
     Real large_;
     Vector down_ = Vector::Zero(); ///< Along gravity; zero without.
+    std::vector<Surface> holders_; ///< Walls and bodies.
     std::vector<std::string> findings_;
 };
 

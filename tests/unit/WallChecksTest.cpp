@@ -61,16 +61,49 @@ TEST(WallChecks, findsFluidOverAGap)
     ASSERT_EQ(found.size(), 1u);
     EXPECT_NE(found[0].find("400 of 2000 fluid particles have no wall below them, the lowest at (0.425 0.025 0.025) m"), std::string::npos)
         << found[0];
-    EXPECT_EQ(findings(2, polyline("(0 1.2 0) (0 0 0) (0.8 0 0)")).size(), 1u);
+    EXPECT_EQ(findings(2, polyline("(0 1.2 0) (0 0 0) (0.8 0 0) (0.8 -0.1 0) (1.2 -0.1 0) (1.2 1.2 0)")).size(), 0u);
+    EXPECT_EQ(findings(2, polyline("(0 1.2 0) (0 0 0) (0.8 0 0)")).size(), 2u) << "the right side is open, too";
     EXPECT_TRUE(findings(3, plates(0.2) + sides, water, "(0 0 0)").empty()) << "nothing falls";
+}
+
+TEST(WallChecks, refusesWaterWithoutAnyFloor)
+{
+    try
+    {
+        findings(2, polyline("(0 1.2 0) (0 -0.2 0)") + " end { type polyline; points ((1 -0.2 0) (1 1.2 0)); }");
+        FAIL() << "all of the water falls";
+    }
+    catch (CaseError const& error)
+    {
+        EXPECT_EQ(error.code(), ExitCode::BadInput);
+        EXPECT_NE(std::string(error.what()).find("200 of 200 fluid particles have no wall below them"), std::string::npos) << error.what();
+    }
+}
+
+TEST(WallChecks, findsFluidBesideWhichThereIsNoWall)
+{
+    std::string const channel = "(0 1.2 0) (0 0 0) (1 0 0) (1 1.2 0)";
+    auto const found = findings(3, polyline(channel, "zRange (0 0.5);"));
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_NE(found[0].find("has no wall beside it along (0 0 1), nor has it elsewhere (2000 of 2000 particles asked)"), std::string::npos)
+        << found[0];
+    EXPECT_TRUE(findings(3, polyline(channel, "zRange (0 0.5); sideWalls yes;")).empty());
+    EXPECT_EQ(findings(2, polyline("(0 1.2 0) (0 0 0) (2 0 0)")).size(), 1u) << "a dam that is no dam";
 }
 
 TEST(WallChecks, findsWallsThatTurnTheirBackOnTheFluid)
 {
     auto const lower = "regions ( boxToParticle { box (0 -0.1 0) (1 0.5 0.5); } );";
-    auto const found = findings(2, polyline("(-0.2 1.2 0) (0 0 0) (1 0 0) (1 1.2 0)", "fluidSide right;"), lower);
-    ASSERT_FALSE(found.empty());
-    EXPECT_NE(found[0].find("wall \"bed\" turns its back on the fluid: it faces down"), std::string::npos) << found[0];
+    try
+    {
+        findings(2, polyline("(-0.2 1.2 0) (0 0 0) (1 0 0) (1 1.2 0)", "fluidSide right;"), lower);
+        FAIL() << "all that is left lies below the wall";
+    }
+    catch (CaseError const& error)
+    {
+        EXPECT_NE(std::string(error.what()).find("wall \"bed\" turns its back on the fluid: it faces down"), std::string::npos)
+            << error.what();
+    }
     EXPECT_TRUE(
         findings(3, plates(0) + "lid { type searchablePlate; origin (-0.5 0.5 -0.5); span (2 0 1.5); fluidSide negative; } " + sides)
             .empty())

@@ -54,7 +54,7 @@ TEST(FallingSolidGate, fallsAsMeasuredIn2D)
     expectBelow("falling solid, 2-D, 8 spacings: difference / travel", experiment().difference(fallIn2D(0.0025)), bound);
 }
 
-// The one unknown of the experiment, how and when the cube was let go, is fitted. Measured: 52 ms, 0.063.
+// The one unknown of the experiment, how and when the cube was let go, is fitted. Measured: 52 ms, 0.062.
 TEST(FallingSolidGate, fallsAsMeasuredIn3DWithItsStartFitted)
 {
     Curve const computed = fallIn3D(0.005);

@@ -26,7 +26,8 @@ Real turned(bool inSpace, Real spacing)
         run.threeDimensions();
     else
         run.write("constant/particleProperties", "spacing " + std::to_string(spacing) + "; thickness 0.2;");
-    run.write("system/mpsSchemes", "sourceSchemes { density smooth; divergence corrected; }");
+    if (!inSpace)
+        run.write("system/mpsSchemes", "sourceSchemes { divergence corrected; density smooth; }"); // nearest to the standard of 3-D
     run.write("system/setParticlesDict", "geometry { tank { type polyline; points ((0 1 0) (0 0 0) (1.2 0 0) (1.2 1 0)); " + range +
                                              (inSpace ? "sideWalls yes; " : "") +
                                              "} }\nregions ( boxToParticle { box (0 0 0) (0.6 0.4 0.2); } );\n");

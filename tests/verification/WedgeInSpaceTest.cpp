@@ -29,7 +29,7 @@ void writeCase(RunCase& run, Real spacing, bool inSpace)
         run.threeDimensions();
     else
         run.write("constant/particleProperties", "spacing " + std::to_string(spacing) + "; thickness " + width + ";");
-    // Cut cells are filled as in 3-D: empty ones let the water of 2-D sink by up to 7 mm at 0.04 m while the wave comes.
+    // Cut cells are filled as in 3-D: empty ones let the water of 2-D sink by up to 6 mm at 0.04 m while the wave comes.
     run.write("system/setParticlesDict",
               "lattice { cutCells fill; } geometry { tank { type polyline; points ((-0.6 1.6 0) (1 0 0) (4.5 0 0) (4.5 1.6 0)); " + range +
                   (inSpace ? "sideWalls yes; " : "") + "} }\nregions ( boxToParticle { box (-0.6 0 0) (4.5 1 " + width +

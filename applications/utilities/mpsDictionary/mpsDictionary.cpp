@@ -48,6 +48,7 @@ Dictionary read(CommandLine const& line)
     fs::path const file = line.arguments().front();
     // Named as the user named it: messages about the content name it relative to its case.
     if (!fs::exists(fs::status(file))) throw CaseError(ExitCode::BadInput, file.string() + ": the file is not there");
+    if (fs::is_directory(file)) throw CaseError(ExitCode::BadInput, file.string() + ": is a folder", "a dictionary in it");
     fs::path const root = line.found("case") ? fs::path(*line.value("case")) : caseOf(file);
     if (line.found("strict")) return Dictionary::fromFile(file, root);
     std::vector<std::string> warnings;
