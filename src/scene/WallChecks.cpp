@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "boundaries/SurfaceTree.h"
 #include "core/Errors.h"
@@ -95,6 +96,7 @@ public:
         if (down_.isZero()) return findings_;
         holders_ = scene_.surfaces;
         holders_.insert(holders_.end(), scene_.placed.begin(), scene_.placed.end());
+        rays_.emplace(holders_);
         findUnheld();
         findOpenSides();
         return findings_;
@@ -186,11 +188,10 @@ private:
         Real end = -std::numeric_limits<Real>::infinity();
         for (Surface const& holder : holders_)
             for (Vector const& point : holder.points()) end = std::max(end, point.dot(way));
-        SurfaceRays const rays(holders_);
         for (int i = fluid.first; i < fluid.last; i += every)
         {
             ++result.asked;
-            if (meets(r[i], way, end + spacing_ - r[i].dot(way), rays)) continue;
+            if (meets(r[i], way, end + spacing_ - r[i].dot(way))) continue;
             ++result.count;
             if (result.farthest < 0 || r[i].dot(way) > r[result.farthest].dot(way) + 1e-6 * spacing_) result.farthest = i;
         }
@@ -231,13 +232,13 @@ private:
         }
     }
 
-    [[nodiscard]] bool meets(Vector const& from, Vector const& way, Real length, SurfaceRays const& rays) const
+    [[nodiscard]] bool meets(Vector const& from, Vector const& way, Real length) const
     {
         Real const step = std::max(stride * spacing_, length / mostStrides);
         bool met = false;
         for (Real gone = 0; gone < length && !met; gone += step)
-            rays.forEachHit(from + (gone - overlap * spacing_) * way, from + (gone + step) * way,
-                            [&](SurfaceRays::Hit const&) { met = true; });
+            rays_->forEachHit(from + (gone - overlap * spacing_) * way, from + (gone + step) * way,
+                              [&](SurfaceRays::Hit const&) { met = true; });
         return met;
     }
 
@@ -245,8 +246,9 @@ private:
     InitialScene const& scene_;
     Real spacing_;
     Real large_;
-    Vector down_ = Vector::Zero(); ///< Along gravity; zero without.
-    std::vector<Surface> holders_; ///< Walls and bodies.
+    Vector down_ = Vector::Zero();    ///< Along gravity; zero without.
+    std::vector<Surface> holders_;    ///< Walls and bodies.
+    std::optional<SurfaceRays> rays_; ///< Of these.
     std::vector<std::string> findings_;
 };
 

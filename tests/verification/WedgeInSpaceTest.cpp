@@ -99,4 +99,8 @@ TEST(WedgeInSpaceGate, movesAndMakesWavesAsIn2D) { compare(0.03); }
 
 TEST(WedgeInSpaceGate, movesAndMakesWavesAsIn2DAtAFinerSpacing) { compare(0.025); }
 
+// Measured: first crests in 3-D 14, 13 and 12 % above 2-D at x = 1.5, 1.75 and 2 m. 2-D at 0.04 m is itself 8 % below its own crests at 0.02 m
+// there, 3-D 5 % above those: too coarse for a comparison to 5 % (etc/doc/three-dimensions.md).
+TEST(WedgeInSpaceGate, DISABLED_movesAndMakesWavesAsIn2DAtACoarserSpacing) { compare(0.04); }
+
 } // namespace mpsDem::test
