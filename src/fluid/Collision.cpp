@@ -70,11 +70,15 @@ Vector Collision::changeOf(ParticleSet const& particles, NeighbourList const& ne
         {
             Vector const& normal = particles.normal[j];
             Real const approach = (particles.u[j] - particles.u[i] - fromPlanes).dot(normal);
-            if (approach <= 0) continue;
-            Vector const du = (1 + restitution_) * approach * normal;
-            fromPlanes += du;
-            note(particles, images, j, du, approach);
-            continue;
+            if (approach > 0)
+            {
+                Vector const du = (1 + restitution_) * approach * normal;
+                fromPlanes += du;
+                note(particles, images, j, du, approach);
+                continue;
+            }
+            bool const aroundEdge = rij.dot(normal) > 0;
+            if (!aroundEdge || !atSurface(i)) continue;
         }
         Real const approach = (particles.u[i] - particles.u[j]).dot(rij);
         if (approach <= 0) continue;

@@ -23,6 +23,8 @@ namespace mpsDem {
 ///
 /// With `walls centres` a particle also meets the particles of a wall along the line of centres: a row of balls, which brakes water that
 /// slips along it and throws it up. With `walls normal` it meets the plane of the wall, once: v_n is then along the normal of the wall.
+/// A particle at the surface that comes upon an edge from behind the plane of j, as splash that falls on a corner of a body whose particle looks
+/// sideways, has no plane there and no pressure to hold it back: it meets the particle j itself.
 ///
 /// | key | meaning | unit | default (standard, paper) | range |
 /// | type | pairwise or none | - | pairwise | - |

@@ -12,6 +12,7 @@ struct DamBreak
 {
     std::string name, control;
     Real dt, jitter, energy, redone, momentum;
+    std::string set = "standard";
 };
 
 void damBreak(DamBreak const& c)
@@ -20,6 +21,7 @@ void damBreak(DamBreak const& c)
     run.write("system/setParticlesDict", "geometry { tank { type polyline; points ((0 1.2 0) (0 0 0) (1.6 0 0) (1.6 1.2 0)); } }\n"
                                          "regions ( boxToParticle { box (0 0 0) (0.6 0.3 0); } );\nlattice { jitter " +
                                              std::to_string(c.jitter) + "; }");
+    run.write("system/mpsSchemes", "schemeSet " + c.set + ";");
     run.control(1.5, c.dt, c.control + budgetEntry).make();
     Watch watch;
     run.run([&](Scene const& scene, Step const& step) { watch.observe(scene, step); });
@@ -27,9 +29,10 @@ void damBreak(DamBreak const& c)
 }
 
 // H7: single particles, a pair and a disc fly above the tank and fall into it. They have no row of eq 8, or a group of their own.
-void throwClusters(std::string const& name, Real largestRise)
+void throwClusters(std::string const& set, Real largestRise)
 {
     RunCase run(0.02);
+    run.write("system/mpsSchemes", "schemeSet " + set + ";");
     run.write("system/setParticlesDict",
               "geometry { tank { type polyline; points ((0 1.2 0) (0 0 0) (1 0 0) (1 1.2 0)); } }\n"
               "regions ( boxToParticle { box (0 0 0) (1 0.2 0); }\n"
@@ -39,21 +42,23 @@ void throwClusters(std::string const& name, Real largestRise)
     run.control(1, 2e-3, budgetEntry).make();
     Watch watch;
     run.run([&](Scene const& scene, Step const& step) { watch.observe(scene, step); });
-    expectInBand(name, run, watch, {.height = 0.6, .energy = largestRise});
+    expectInBand("clusters in flight, " + set, run, watch, {.height = 0.6, .energy = largestRise});
 }
 
 // H13: full of water, disordered at the start, and shaken by nothing but its own noise.
-void shakeFullBox(Real largestEnergy)
+void shakeFullBox(std::string const& set, Real largestEnergy)
 {
     RunCase run(0.025);
+    run.write("system/mpsSchemes", "schemeSet " + set + ";");
     run.write("system/setParticlesDict", "geometry { box { type searchableBox; min (0 0 0); max (0.5 0.5 0); } }\n"
                                          "regions ( boxToParticle { box (0 0 0) (0.5 0.5 0); } );\nlattice { jitter 0.3; }");
     run.control(2, 2e-3, budgetEntry).make();
     Watch watch;
     run.run([&](Scene const& scene, Step const& step) { watch.observe(scene, step); });
-    expectBelow("full box, jitter 0.3: kinetic energy at 2 s [J]", kineticEnergy(run.scene()), largestEnergy);
-    expectBelow("full box, jitter 0.3: largest speed [m/s]", watch.fastest, 2);
-    expectInBand("full box, jitter 0.3", run, watch, {.height = 0.5});
+    std::string const name = "full box, jitter 0.3, " + set;
+    expectBelow(name + ": kinetic energy at 2 s [J]", kineticEnergy(run.scene()), largestEnergy);
+    expectBelow(name + ": largest speed [m/s]", watch.fastest, 2);
+    expectInBand(name, run, watch, {.height = 0.5});
 }
 
 } // namespace
@@ -62,15 +67,35 @@ void shakeFullBox(Real largestEnergy)
 DamBreak const plain{"dam break", "", 2e-3, 0, 0.005, 0, 0.04};
 TEST(ViolentFlow, damBreaks) { damBreak(plain); }
 
-// H10: the limits of the step twice and four times as wide as by default. Energy rises by 0.9 and 1.3 %. Without redo of steps, 9 of 12 runs
-// with the longest steps and columns of 0.48 to 0.7 m lost particles through the wall; with it 2 do.
+// H10: the limits of the step twice and four times as wide as by default. Energy rises by 0.9 and 1.3 % (set waves: 0.08 and 0.12 %). Without
+// redo of steps, 9 of 12 runs with the longest steps and columns of 0.48 to 0.7 m lost particles through the wall; with it 2 do.
 DamBreak const twice{"dam break, dt x 2", "maxCo 0.5; maxPressureCo 0.5;", 4e-3, 0, 0.02, 0.02, 0.06};
 DamBreak const fourTimes{"dam break, dt x 4", "maxCo 1; maxPressureCo 1;", 8e-3, 0, 0.02, 0.15, 0.1};
 TEST(ViolentFlow, standsStepsTwiceAsLong) { damBreak(twice); }
 TEST(ViolentFlow, standsStepsFourTimesAsLong) { damBreak(fourTimes); }
+TEST(ViolentFlow, standsLongStepsWithSetWaves)
+{
+    for (DamBreak one : {twice, fourTimes})
+    {
+        one.name += ", waves";
+        one.set = "waves";
+        one.energy = 0.005;
+        damBreak(one);
+    }
+}
+
+// Measured: 0.9 and 1.3 %, of the swelling of bounds.md and of the length of the step.
+TEST(ViolentFlow, DISABLED_standsLongStepsWithoutGainOfEnergy)
+{
+    for (DamBreak one : {twice, fourTimes})
+    {
+        one.energy = 0.005;
+        damBreak(one);
+    }
+}
 
 // H17. Energy rises by 0.4 %.
-DamBreak const disordered{"dam break, jitter 0.3", "", 2e-3, 0.3, 0.02, 0, 0.04};
+DamBreak const disordered{"dam break, jitter 0.3", "", 2e-3, 0.3, 0.005, 0, 0.04};
 TEST(ViolentFlow, startsFromDisorder) { damBreak(disordered); }
 
 // Measured: 0.037, 0.055, 0.085 and 0.036 in 1.5 s (0.035, 0.049, 0.067 and 0.033 before the walls' collisions were counted). The surge along the floor and its run-up at the far wall are layers of a few particles:
@@ -84,16 +109,18 @@ TEST(ViolentFlow, DISABLED_damBreaksKeepMomentum)
     }
 }
 
-TEST(ViolentFlow, clustersFlyAndFallBack) { throwClusters("clusters in flight", 0.05); }
+TEST(ViolentFlow, clustersFlyAndFallBack) { throwClusters("standard", 0.05); }
+TEST(ViolentFlow, clustersFlyAndFallBackWithSetWaves) { throwClusters("waves", 0.005); }
 
 // Measured: 0.024 (0.019 with `grad(p) hybrid`): where a disc hits the water, its surface gains energy for some steps, however long they
 // are.
-TEST(ViolentFlow, DISABLED_clustersFlyAndFallBackWithoutGainOfEnergy) { throwClusters("clusters in flight", 0.02); }
+TEST(ViolentFlow, DISABLED_clustersFlyAndFallBackWithoutGainOfEnergy) { throwClusters("standard", 0.005); }
 
 // Root mean square speed below 2 % of sqrt(g H).
-TEST(ViolentFlow, fullBoxComesToRest) { shakeFullBox(0.5 * 250 * 0.02 * 0.02 * 9.81 * 0.5); }
+TEST(ViolentFlow, fullBoxComesToRest) { shakeFullBox("standard", 0.5 * 250 * 0.02 * 0.02 * 9.81 * 0.5); }
 
 // Measured: 0.17 J with the relaxation time of 0.05 s, 0.11 J with 0.1 s: without a free surface the density has nowhere to relax to.
-TEST(ViolentFlow, DISABLED_fullBoxComesToCompleteRest) { shakeFullBox(0.1); }
+TEST(ViolentFlow, DISABLED_fullBoxComesToCompleteRest) { shakeFullBox("standard", 0.1); }
+TEST(ViolentFlow, fullBoxComesToCompleteRestWithSetWaves) { shakeFullBox("waves", 0.1); }
 
 } // namespace mpsDem::test

@@ -262,7 +262,7 @@ Real percentile(std::vector<Real> samples, Real q)
 
 void expectInBand(std::string const& name, RunCase const& run, Watch const& watch, Band const& band, Place const& place)
 {
-    expectBelow(name + ": rise of energy over that of the start", watch.rise / watch.start, band.energy, place);
+    expectBelow(name + ": rise of energy above its lowest, of that at the start", watch.rise / watch.start, band.energy, place);
     expectBelow(name + ": largest speed over sqrt(2 g H)", watch.fastest / std::sqrt(2 * g * band.height), 3, place);
     expectBelow(name + ": density deviation, p99", watch.densityDeviation(), band.density, place);
     if (run.scene().solids()) expectBelow(name + ": overlap, p99 [spacings]", watch.overlap(), band.overlap, place);

@@ -155,7 +155,7 @@ Real percentile(std::vector<Real> samples, Real q);
 struct Band
 {
     Real height;          ///< H of the speed sqrt(2 g H) [m].
-    Real energy = 0.005;  ///< Rise of the energy over that of the start.
+    Real energy = 0.005;  ///< Rise of the energy above its lowest value before, as a share of that at the start.
     Real density = 0.3;   ///< 99th percentile of the density deviation: at a deficit of 0.3 a particle is on the surface.
     Real overlap = 0.01;  ///< 99th percentile of the overlap [spacings].
     Real limited = 1e-3;  ///< Share of limited displacements.

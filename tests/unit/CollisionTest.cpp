@@ -42,7 +42,36 @@ Vector afterCollision(std::string const& walls, Vector const& velocity, Vector c
     return collide(walls, velocity, wallVelocity, -1).velocity;
 }
 
+/// Velocity of a particle that falls on the particle at the corner of a body from above, 0.1 spacings outside of the middle of it [m/s].
+/// @param normal  Of that particle.
+Vector afterFallOnCorner(Vector const& normal, SurfaceLabel label)
+{
+    Lattice const lattice{2, spacing, 1};
+    Field<Vector> const position{Vector(-0.1 * spacing, 0.6 * spacing, 0), Vector::Zero()};
+    Field<Vector> const velocities{Vector(0, -1, 0), Vector::Zero()};
+    ParticleSet particles(lattice);
+    particles.assign(position, velocities, Field<Real>(2, 0), {ParticleType::Fluid, ParticleType::Wall}, {-1, 0}, {Vector::Zero(), normal});
+    NeighbourList neighbours({0.21, 0.21}, false);
+    neighbours.update(particles);
+    int const i = *particles.fluid().begin();
+    particles.surface[i] = label;
+    Ledger ledger;
+    auto const collision = Collision::read(Dictionary::fromText("restitution 0.2; walls normal;"), SchemeSet::Waves, lattice, 1000, ledger);
+    collision->apply(particles, neighbours, PeriodicImages(), 1e-3);
+    return particles.u[i];
+}
+
 } // namespace
+
+// The corner looks sideways, along x: splash that falls on it from above would pass by that plane into the body. In the midst of water, where
+// the pressure does this, it stays with the plane.
+TEST(Collision, alongTheNormalStopsSplashThatFallsOnAnEdge)
+{
+    Vector const sideways = Vector::UnitX(), up = Vector::UnitY();
+    expectBetween("collision, walls normal, splash on an edge: uy [m/s]", afterFallOnCorner(sideways, SurfaceLabel::Surface).y(), 0.1, 0.2);
+    expectBetween("collision, walls normal, splash on the top: uy [m/s]", afterFallOnCorner(up, SurfaceLabel::Surface).y(), 0.199, 0.201);
+    expectBetween("collision, walls normal, water past an edge: uy [m/s]", afterFallOnCorner(sideways, SurfaceLabel::Interior).y(), -1, -1);
+}
 
 // A particle that slips along a wall, and a wall that passes below it: nothing happens to either.
 TEST(Collision, alongTheNormalLetsWaterSlip)
