@@ -7,6 +7,12 @@
 
 namespace mpsDem {
 
+namespace {
+
+constexpr Real besideEdge = 1.5; ///< Reach along a plane beyond its edge, in spacings.
+
+} // namespace
+
 std::unique_ptr<Collision> Collision::read(Dictionary const& dict, SchemeSet set, Lattice const& lattice, Real density, Ledger& ledger)
 {
     if (dict.getWordOr("type", "pairwise", {"pairwise", "none"}, "collision schemes") == "none")
@@ -52,11 +58,51 @@ void Collision::note(ParticleSet const& particles, PeriodicImages const& images,
     impulse.rate += particleMass_ * du.norm() * approach / particles.lattice().spacing;
 }
 
+Vector Collision::meetPlane(ParticleSet const& particles, PeriodicImages const& images, int j, Vector const& velocity)
+{
+    Vector const& normal = particles.normal[j];
+    Real const approach = (particles.u[j] - velocity).dot(normal);
+    if (approach <= 0) return Vector::Zero();
+    Vector const du = (1 + restitution_) * approach * normal;
+    note(particles, images, j, du, approach);
+    return du;
+}
+
+Vector Collision::meetPlanes(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images, int i)
+{
+    Real const reach2 = surfaceDistance_ * surfaceDistance_, spacing = particles.lattice().spacing;
+    Real nearest2 = besideEdge * besideEdge * spacing * spacing;
+    bool atEdge = false, inFront = false;
+    int beside = -1; // the nearest particle out of reach whose plane is within it
+    Vector change = Vector::Zero();
+    for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
+    {
+        int const j = neighbours.index()[k];
+        if (particles.isFluid(j)) continue;
+        Vector const rij = particles.r[j] - particles.r[i];
+        Real const r2 = rij.squaredNorm();
+        if (r2 >= std::max(reach2, nearest2)) continue;
+        Real const height = -rij.dot(particles.normal[j]);
+        if (r2 < reach2)
+        {
+            (height < 0 ? atEdge : inFront) = true;
+            change += meetPlane(particles, images, j, particles.u[i] + change);
+        }
+        else if (height > 0 && height < surfaceDistance_)
+        {
+            nearest2 = r2;
+            beside = j;
+        }
+    }
+    bool const alone = particles.surface[i] != SurfaceLabel::Interior && atEdge && !inFront && beside >= 0;
+    return alone ? Vector(change + meetPlane(particles, images, beside, particles.u[i] + change)) : change;
+}
+
 Vector Collision::changeOf(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images, int i)
 {
     Real const widest = std::max(distance_, surfaceDistance_);
     auto const atSurface = [&](int k) { return particles.surface[k] != SurfaceLabel::Interior; };
-    Vector change = Vector::Zero(), fromPlanes = Vector::Zero();
+    Vector change = Vector::Zero();
     for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
     {
         int const j = neighbours.index()[k];
@@ -64,29 +110,16 @@ Vector Collision::changeOf(ParticleSet const& particles, NeighbourList const& ne
         Real const r2 = rij.squaredNorm();
         if (r2 >= widest * widest) continue;
         bool const wall = !particles.isFluid(j);
+        if (wall && alongNormal_) continue;
         Real const reach = wall || atSurface(i) || atSurface(j) ? surfaceDistance_ : distance_;
         if (r2 >= reach * reach) continue;
-        if (wall && alongNormal_)
-        {
-            Vector const& normal = particles.normal[j];
-            Real const approach = (particles.u[j] - particles.u[i] - fromPlanes).dot(normal);
-            if (approach > 0)
-            {
-                Vector const du = (1 + restitution_) * approach * normal;
-                fromPlanes += du;
-                note(particles, images, j, du, approach);
-                continue;
-            }
-            bool const aroundEdge = rij.dot(normal) > 0;
-            if (!aroundEdge || !atSurface(i)) continue;
-        }
         Real const approach = (particles.u[i] - particles.u[j]).dot(rij);
         if (approach <= 0) continue;
         Vector const du = -(1 + restitution_) * (wall ? 1.0 : 0.5) * approach / (r2 + tiny) * rij;
         change += du;
         if (wall) note(particles, images, j, du, approach / std::sqrt(r2 + tiny));
     }
-    return change + fromPlanes;
+    return alongNormal_ ? Vector(change + meetPlanes(particles, neighbours, images, i)) : change;
 }
 
 void Collision::apply(ParticleSet& particles, NeighbourList const& neighbours, PeriodicImages const& images, Real dt)

@@ -23,8 +23,8 @@ namespace mpsDem {
 ///
 /// With `walls centres` a particle also meets the particles of a wall along the line of centres: a row of balls, which brakes water that
 /// slips along it and throws it up. With `walls normal` it meets the plane of the wall, once: v_n is then along the normal of the wall.
-/// A particle at the surface that comes upon an edge from behind the plane of j, as splash that falls on a corner of a body whose particle looks
-/// sideways, has no plane there and no pressure to hold it back: it meets the particle j itself.
+/// A particle at the surface that is behind the planes of all particles within reach, as splash that falls on a corner of a body whose particle
+/// looks sideways, has no pressure to hold it back either: it meets the plane of the nearest particle beside them in front of which it is.
 ///
 /// | key | meaning | unit | default (standard, paper) | range |
 /// | type | pairwise or none | - | pairwise | - |
@@ -61,6 +61,10 @@ private:
 
     /// Change of the velocity of fluid particle i by all particles close to it [m/s]; notes what walls and bodies get.
     Vector changeOf(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images, int i);
+    /// The part of the planes of walls in that, with `walls normal` [m/s].
+    Vector meetPlanes(ParticleSet const& particles, NeighbourList const& neighbours, PeriodicImages const& images, int i);
+    /// Change of the velocity of a particle at the plane of j [m/s]. @param velocity  Of the particle, with changes so far [m/s].
+    Vector meetPlane(ParticleSet const& particles, PeriodicImages const& images, int j, Vector const& velocity);
     /// Fluid gets `du` [m/s] from boundary particle j. @param approach  Its speed towards it before [m/s].
     void note(ParticleSet const& particles, PeriodicImages const& images, int j, Vector const& du, Real approach);
     void clearReactions(ParticleSet const& particles);
