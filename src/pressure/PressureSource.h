@@ -34,6 +34,8 @@ public:
     [[nodiscard]] Real relaxationTime() const { return type_ == Type::Divergence ? 0 : relaxationTime_; }
     [[nodiscard]] bool corrected() const { return corrected_; }
     [[nodiscard]] bool smooth() const { return smooth_.has_value(); }
+    /// Whether n has a share in that.
+    [[nodiscard]] bool balanced() const { return numberShare_ > 0; }
 
     /// gamma of this step [-].
     [[nodiscard]] Real gamma(Step const& step) const;

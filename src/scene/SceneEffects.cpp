@@ -98,7 +98,7 @@ void Scene::listSchemes()
     bool const corrected = GradientScheme::readName(all.subDictOrEmpty("gradSchemes"), readSchemeSet(all)) != "symmetric";
     add("corrected gradient", corrected, "gradSchemes", "grad(p)");
     add("corrected divergence", source.corrected(), "sourceSchemes", "divergence");
-    add("smooth density", source.smooth(), "sourceSchemes", "density");
+    add(source.balanced() ? "balanced density" : "smooth density", source.smooth(), "sourceSchemes", "density");
     bool const relaxes = source.relaxationTime() > 0;
     effects_.add("relaxation of density", relaxes,
                  (relaxes ? "within " + shortNumber(source.relaxationTime()) + " s, " : std::string()) + relaxationOf(dicts_.schemes));
