@@ -1,5 +1,7 @@
 #include "particles/ParticleSet.h"
 
+#include <array>
+
 #include "core/Errors.h"
 
 namespace mpsDem {
@@ -54,6 +56,8 @@ void ParticleSet::assign(Field<Vector> const& position, Field<Vector> const& vel
 
 namespace {
 
+constexpr char const* latticeBlock = "particles/lattice"; ///< Dimensions, spacing [m], thickness [m].
+
 template <class T>
 void permute(Field<T>& field, int first, Field<int> const& order)
 {
@@ -81,6 +85,8 @@ void ParticleSet::reorderFluid(Field<int> const& order)
 void ParticleSet::save(State& state) const
 {
     std::size_t const count = index(owned_);
+    std::array<Real, 3> const lattice{static_cast<Real>(lattice_.dimensions), lattice_.spacing, lattice_.thickness};
+    state.set(latticeBlock, std::span<Real const>(lattice));
     state.set("particles/position", std::span(r.data(), count));
     state.set("particles/velocity", std::span(u.data(), count));
     state.set("particles/pressure", std::span(p.data(), count));
@@ -96,6 +102,14 @@ void ParticleSet::save(State& state) const
     state.set("particles/body", std::span<std::int64_t const>(owner));
     state.set("particles/wet", std::span<std::int64_t const>(label));
     state.set("particles/normal", std::span(normal.data(), index(boundary().last)));
+}
+
+std::optional<Lattice> ParticleSet::savedLattice(State const& state)
+{
+    if (!state.has(latticeBlock)) return std::nullopt;
+    State::Reals const& saved = state.reals(latticeBlock);
+    if (saved.size() != 3) throw CaseError(ExitCode::InputOutput, "saved state: damaged block " + std::string(latticeBlock));
+    return Lattice{static_cast<int>(saved[0]), saved[1], saved[2]};
 }
 
 void ParticleSet::load(State const& state)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/State.h"
@@ -105,6 +106,8 @@ public:
     void appendHalo(int count) { resize(owned_ + count); }
 
     void save(State& state) const; ///< Blocks "particles/...": owned particles in their present order.
+    /// What the particles of a state were made for; nothing in states of older versions.
+    [[nodiscard]] static std::optional<Lattice> savedLattice(State const& state);
     void load(State const& state); ///< @throw CaseError for lengths that do not fit together.
 
     /// Index type of the fields.

@@ -140,33 +140,4 @@ std::vector<Real> nearestDistances(std::span<Vector const> points, Range const& 
     return result;
 }
 
-void checkDimensions(ParticleSet const& particles, std::vector<Surface> const& surfaces)
-{
-    auto const inPlane = [](Vector const& r) { return !(r.z() != 0); };
-    bool const flat = std::all_of(particles.r.begin(), particles.r.end(), inPlane) &&
-                      std::all_of(surfaces.begin(), surfaces.end(), [](Surface const& surface) { return surface.flat(); });
-    bool const empty = particles.size() == 0 && surfaces.empty();
-    require(empty || flat == (particles.lattice().dimensions == 2), Location{"constant/particleProperties", 0, "dimensions"},
-            "the particles are those of a " + std::string(flat ? "2-D" : "3-D") + " case", "run setParticles again");
-}
-
-void checkSpacing(ParticleSet const& particles)
-{
-    constexpr int fewest = 10;
-    constexpr Real least = 0.75, largest = 1.25, reach = 3; // in spacings
-    Range const walls = particles.wall();
-    std::span<Vector const> const position(particles.r.data(), static_cast<std::size_t>(walls.size()));
-    auto const isFinite = [](Vector const& r) { return r.allFinite(); };
-    if (walls.size() < fewest || !std::all_of(position.begin(), position.end(), isFinite)) return; // who reads on says which is not
-    Real const spacing = particles.lattice().spacing;
-    std::vector<Real> nearest = nearestDistances(position, walls, reach * spacing, particles.lattice().dimensions);
-    auto const middle = nearest.begin() + walls.size() / 2;
-    std::nth_element(nearest.begin(), middle, nearest.end());
-    if (*middle >= least * spacing && *middle <= largest * spacing) return;
-    std::string const apart = std::isfinite(*middle) ? text(*middle) : "more than " + text(reach * spacing);
-    throw CaseError(ExitCode::BadInput, Location{"constant/particleProperties", 0, "spacing"},
-                    "spacing " + text(spacing) + " m does not fit the particles: those of the walls stand " + apart + " m apart",
-                    "run setParticles again");
-}
-
 } // namespace mpsDem

@@ -39,11 +39,4 @@ void checkFilling(SceneDefinition const& definition, FluidFilling const& fluid);
 /// @param of  The points among them that the result is for.
 std::vector<Real> nearestDistances(std::span<Vector const> points, Range const& of, Real reach, int dimensions);
 
-/// Refuses a state of the other number of dimensions than the case. @throw CaseError BadInput
-void checkDimensions(ParticleSet const& particles, std::vector<Surface> const& surfaces);
-
-/// Refuses a state whose wall particles stand by a quarter nearer or farther than the spacing of the case: particles of another
-/// `spacing`, which would explode or seem to be lost. States with fewer than ten wall particles pass. @throw CaseError BadInput
-void checkSpacing(ParticleSet const& particles);
-
 } // namespace mpsDem

@@ -5,7 +5,6 @@
 #include "io/Checkpoint.h"
 #include "scene/BodyReader.h"
 #include "scene/EntryText.h"
-#include "scene/InitialChecks.h"
 #include "scene/InputFingerprint.h"
 #include "scene/StartChecks.h"
 
@@ -58,7 +57,6 @@ Scene::Scene(CaseFolder const& caseFolder, Options const& options)
     State const saved = options.initial ? State() : findStart(case_, *time_, dicts_.lattice);
     State const& start = options.initial ? *options.initial : saved;
     readStart(start);
-    checkSpacing(particles_);
     checkStart(start);
     if (dicts_.transport) buildFluid();
     if (!bodies_.empty()) buildSolids();
@@ -94,11 +92,11 @@ Scene::~Scene() = default;
 
 void Scene::readStart(State const& start)
 {
+    requireSameLattice(start, dicts_.lattice);
     time_->load(start);
     startStep_ = time_->stepNumber();
     particles_.load(start);
     surfaces_ = loadSurfaces(start);
-    checkDimensions(particles_, surfaces_);
     for (Surface const& surface : surfaces_) surfaceNames_.push_back(surface.name());
     wallOf_ = loadWallOf(start, static_cast<std::size_t>(particles_.boundary().size()), surfaces_.size());
     if (dicts_.bodies) bodies_ = readBodies(*dicts_.bodies, start, {dicts_.lattice, case_.root()});

@@ -225,6 +225,21 @@ void requireSameWalls(CaseFolder const& caseFolder, std::string const& fingerpri
     }
 }
 
+void requireSameLattice(State const& start, Lattice const& now)
+{
+    std::optional<Lattice> const made = ParticleSet::savedLattice(start);
+    auto const same = [&](bool equal, std::string const& key, std::string const& what) {
+        require(equal, Location{"constant/particleProperties", 0, key}, what, remedyFor(start));
+    };
+    require(made.has_value(), Location{"constant/particleProperties", 0, {}},
+            "the saved state does not tell its spacing, it is of an older version", "a new state: setParticles -overwrite");
+    same(now.dimensions == made->dimensions, "dimensions", "the particles are those of a " + std::to_string(made->dimensions) + "-D case");
+    same(now.spacing == made->spacing, "spacing",
+         "spacing " + shortNumber(now.spacing) + " m does not fit the particles, made for " + shortNumber(made->spacing) + " m");
+    same(now.dimensions == 3 || now.thickness == made->thickness, "thickness",
+         "thickness " + shortNumber(now.thickness) + " m does not fit the particles, made for " + shortNumber(made->thickness) + " m");
+}
+
 void requireDeepWalls(Dictionary const* mpsSchemes, State const& start, Lattice const& lattice)
 {
     std::optional<Real> const made = loadKernelRadius(start);

@@ -34,6 +34,10 @@ void requireSameScene(Dictionary const* transport, Dictionary const* bodies, Sta
 /// @param fingerprint  Of the state (InputFingerprint.h).
 void requireSameWalls(CaseFolder const& caseFolder, std::string const& fingerprint, State const& start, Lattice const& lattice);
 
+/// Number of dimensions, spacing and thickness of the state are those of the case: other particles would explode, seem to be lost, or weigh
+/// something else.
+void requireSameLattice(State const& start, Lattice const& now);
+
 /// The rows of wall and ghost particles are deep enough for the effective radii of today.
 void requireDeepWalls(Dictionary const* mpsSchemes, State const& start, Lattice const& lattice);
 

@@ -102,7 +102,7 @@ TEST(ProgramLog, AChangeOfTheInputIsToldAtARestart)
 
 TEST(ProgramLog, AnotherSpacingThanThatOfTheParticlesIsRefused)
 {
-    for (char const* spacing : {"0.03", "0.08", "0.2", "0.002"})
+    for (char const* spacing : {"0.03", "0.04", "0.0501", "0.06", "0.2"})
     {
         WedgeCase const testCase;
         testCase.makeParticles();

@@ -86,8 +86,8 @@ Plunge plunge(Real endTime)
 
 } // namespace
 
-// Reference: the same set at 0.02 m, stop at 0.400 s and a first crest of 0.078 m at 1.93 s (with `waves`, as the tutorial: 0.127 m at
-// 2.00 s). Of the water the paper tells that it detaches from the stopped wedge, and that it rolls over and forms the first wave at 0.75 s.
+// Reference: the same set at 0.02 m, stop at 0.400 s and a first crest of 0.078 m at 1.93 s (with `waves`, as the tutorial: 0.115 m at
+// 2.02 s). Of the water the paper tells that it detaches from the stopped wedge, and that it rolls over and forms the first wave at 0.75 s.
 TEST(SubaerialWedgeGate, leavesACavityThatClosesAndAWave)
 {
     Plunge const found = plunge(2.6);
