@@ -103,14 +103,19 @@ Vector Collision::changeOf(ParticleSet const& particles, NeighbourList const& ne
     Real const widest = std::max(distance_, surfaceDistance_);
     auto const atSurface = [&](int k) { return particles.surface[k] != SurfaceLabel::Interior; };
     Vector change = Vector::Zero();
+    bool besidePlanes = false;
     for (int k = neighbours.first(i); k < neighbours.last(i); ++k)
     {
         int const j = neighbours.index()[k];
+        bool const wall = !particles.isFluid(j);
+        if (wall && alongNormal_)
+        {
+            besidePlanes = true;
+            continue;
+        }
         Vector const rij = particles.r[j] - particles.r[i];
         Real const r2 = rij.squaredNorm();
         if (r2 >= widest * widest) continue;
-        bool const wall = !particles.isFluid(j);
-        if (wall && alongNormal_) continue;
         Real const reach = wall || atSurface(i) || atSurface(j) ? surfaceDistance_ : distance_;
         if (r2 >= reach * reach) continue;
         Real const approach = (particles.u[i] - particles.u[j]).dot(rij);
@@ -119,7 +124,7 @@ Vector Collision::changeOf(ParticleSet const& particles, NeighbourList const& ne
         change += du;
         if (wall) note(particles, images, j, du, approach / std::sqrt(r2 + tiny));
     }
-    return alongNormal_ ? Vector(change + meetPlanes(particles, neighbours, images, i)) : change;
+    return besidePlanes ? Vector(change + meetPlanes(particles, neighbours, images, i)) : change;
 }
 
 void Collision::apply(ParticleSet& particles, NeighbourList const& neighbours, PeriodicImages const& images, Real dt)

@@ -120,11 +120,12 @@ TEST(ProgramLog, AnotherSpacingOrThicknessThanThatOfTheCheckpointIsRefused)
     testCase.makeParticles();
     ASSERT_EQ(testCase.run().exitCode, 0);
     testCase.replace("constant/particleProperties", "thickness 0.5", "thickness 0.55");
-    EXPECT_EQ(testCase.run().exitCode, 2);
-    EXPECT_NE(testCase.run().error.find("thickness 0.55 m does not fit"), std::string::npos);
+    ProgramResult result = testCase.run();
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_NE(result.error.find("thickness 0.55 m does not fit"), std::string::npos) << result.error;
     testCase.replace("constant/particleProperties", "thickness 0.55", "thickness 0.5");
     testCase.replace("constant/particleProperties", "spacing 0.05", "spacing 0.051");
-    ProgramResult const result = testCase.run();
+    result = testCase.run();
     EXPECT_EQ(result.exitCode, 2);
     EXPECT_NE(result.error.find("what it was when the run began"), std::string::npos) << result.error;
 }

@@ -134,17 +134,18 @@ TEST(HardBodies, restsOnASlope)
 TEST(HardBodies, restsOnASlopeUnderWater) { restUnderWater({"standard", 0.02, 1.5}); }
 TEST(HardBodies, restsOnASlopeUnderWaterWithSetWaves) { restUnderWater({"waves", 0.005, 1, 0.025}); }
 
-// Measured: 1.59 % with a dry contact face and 1.48 % with pore pressure; set waves 0.73 and 0.74 %. At half the spacing 0.85 % (pore, 10 s) and, with the set waves, 0.15 and 0.17 %.
+// Measured: 1.59 % with a dry contact face and 1.48 % with pore pressure; set waves 0.73 and 0.74 %. At half the spacing 0.85 % (pore, 10 s)
+// and, with the set waves, 0.15 and 0.17 %.
 TEST(HardBodies, DISABLED_restsOnASlopeUnderWaterWithoutGainOfEnergy)
 {
     for (std::string const set : {"standard", "waves"}) restUnderWater({set, 0.005, 1.5});
 }
 
-// Measured: 1.40 with a dry contact face, 1.37 with pore pressure (set waves: 1.25, 1.39; at half the spacing 0.91, 0.93), that is 7 % of the water's weight throughout the 20 s;
-// without the block 0.063 in 20 s. It belongs to the body and to the spacing: it points off the slope and grows evenly, by 0.062 a second at a
-// spacing of 0.05 m and 0.031 at 0.025 m (in 5 s). Tried in 5 s: without dynamic labelling 0.067 a second. Without the block, in 20 s: no shifting
-// 0.99, p = 0 at the centre of surface particles 1.23, eq 4 0.23, no surface damping 0.24. So it is what water and body do not get from each
-// other (Gradient and PI).
+// Measured: 1.40 with a dry contact face, 1.37 with pore pressure (set waves: 1.25, 1.39; at half the spacing 0.91, 0.93), that is 7 % of the
+// water's weight throughout the 20 s; without the block 0.063 in 20 s. It belongs to the body and to the spacing: it points off the slope and
+// grows evenly, by 0.062 a second at a spacing of 0.05 m and 0.031 at 0.025 m (in 5 s). Tried in 5 s: without dynamic labelling 0.067 a second.
+// Without the block, in 20 s: no shifting 0.99, p = 0 at the centre of surface particles 1.23, eq 4 0.23, no surface damping 0.24. So it is what
+// water and body do not get from each other (Gradient and PI).
 TEST(HardBodies, DISABLED_restsOnASlopeUnderWaterKeepingMomentum) { restUnderWater({"standard", 0.02, 20 * 0.02}); }
 
 TEST(HardBodies, sinksOrFloatsNearTheDensityOfWater) { sinkOrFloat({"standard", 0.02, 0.02}); }
