@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 #include <sstream>
 
@@ -85,6 +86,18 @@ Real boxDistance(Surface const& a, Surface const& b)
     return (first.low() - second.high()).cwiseMax(second.low() - first.high()).cwiseMax(Vector::Zero()).norm();
 }
 
+/// A place that lies deeper than `depth` in both of two closed outlines. gapTo looks at outlines alone: a body on a copy of itself seems to touch it.
+std::optional<Vector> placeInBoth(Surface const& first, Surface const& second, Real depth, Real spacing)
+{
+    SurfaceTree const a({first}), b({second});
+    for (Vector const& q : samplesOf(first, spacing))
+    {
+        Vector const within = q - 2 * depth * a.nearest(q).normal;
+        if (a.nearest(within).distance < -depth && b.nearest(within).distance < -depth) return within;
+    }
+    return std::nullopt;
+}
+
 void checkPlacement(SceneDefinition const& definition, std::vector<Surface> const& surfaces, std::vector<Surface> const& bodies)
 {
     Real const spacing = definition.lattice.spacing;
@@ -105,6 +118,11 @@ void checkPlacement(SceneDefinition const& definition, std::vector<Surface> cons
                     "bodies \"" + bodies[other].name() + "\" and \"" + bodies[k].name() + "\" overlap by " + text(-between.distance) +
                         " m at " + text(between.place),
                     "no more than " + text(deepestInBody * spacing) + " m");
+            auto const both = placeInBoth(bodies[k], bodies[other], deepestInBody * spacing, spacing);
+            require(!both, where,
+                    "bodies \"" + bodies[other].name() + "\" and \"" + bodies[k].name() + "\" both hold the place " +
+                        (both ? text(*both) : std::string()),
+                    "bodies that touch at most; a copy needs another place");
         }
     }
 }

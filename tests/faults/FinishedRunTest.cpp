@@ -22,6 +22,7 @@ TEST(FinishedRun, calledAgainWritesNothing)
     ProgramResult const again = wedge.run();
     EXPECT_EQ(again.exitCode, 0);
     EXPECT_NE(again.output.find("nothing to run"), std::string::npos);
+    EXPECT_EQ(again.output.find("Cost of the time loop"), std::string::npos) << "a bill of zeros";
     EXPECT_TRUE(wedge.results() == before);
 }
 

@@ -193,6 +193,11 @@ std::vector<Fault> const faults{
      "bodies { a { shape { type box; min (1.2 0.2 0); max (1.5 0.5 0); } density 2000; }\n"
      "b { shape { type box; min (1.4 0.4 0); max (1.7 0.7 0); } density 2000; } }",
      {"constant/rigidBodyProperties:5", "\"a\" and \"b\" overlap by 0.1 m"}},
+    {"a copy in the place of a body",
+     "constant/rigidBodyProperties",
+     "bodies { a { shape { type box; min (1.2 0.2 0); max (1.5 0.5 0); } density 2000; }\n"
+     "b { shape { type box; min (1.2 0.2 0); max (1.5 0.5 0); } density 2000; } }",
+     {"constant/rigidBodyProperties:5", "\"a\" and \"b\" both hold the place"}},
     {"body with a wall's name",
      "constant/rigidBodyProperties",
      "bodies { bed { shape { type box; min (1.2 0.2 0); max (1.5 0.5 0); } density 2; } }",

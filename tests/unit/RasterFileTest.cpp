@@ -199,6 +199,21 @@ TEST_F(RasterFile, WrongHeadersAreRefusedWithTheirLine)
     refuses("", "no ncols", 1);
 }
 
+// As many heights as are announced, but a row of the header is not a line of the file.
+TEST_F(RasterFile, ExchangedCountsAreWarnedOf)
+{
+    auto const warnings = [&](std::string const& counts, std::string const& rows) {
+        int const before = warningCount();
+        static_cast<void>(read(counts + "xllcorner 0\nyllcorner 0\ncellsize 10\n" + rows));
+        return warningCount() - before;
+    };
+    std::string const twoRows = "4 5 6\n1 2 3\n", oneLine = "4 5 6 1 2 3\n", wrapped = "4 5\n6\n1 2\n3\n";
+    EXPECT_EQ(warnings("ncols 3\nnrows 2\n", twoRows), 0);
+    EXPECT_EQ(warnings("ncols 2\nnrows 3\n", twoRows), 1);
+    EXPECT_EQ(warnings("ncols 3\nnrows 2\n", oneLine), 0) << "the whole raster in one line";
+    EXPECT_EQ(warnings("ncols 3\nnrows 2\n", wrapped), 0) << "rows that go on in the next line";
+}
+
 TEST_F(RasterFile, WrongHeightsAreRefusedWithTheirPlace)
 {
     refuses(head + "4 5 6\n1 2\n", "the file ends instead of the height in row 2, column 3", 9);

@@ -66,8 +66,8 @@ TEST(SpaceFlow, viscosityAndPeriodicBoxTakeEnergyAsTheExactSolution)
     expectBelow("Taylor-Green in 3-D, 20 spacings a wave: energy at 0.3 s, relative error", kineticEnergy(run.scene()) / exact - 1, 0.04);
 }
 
-// Thresholds of n, |F| and the cone: what lies two rows deep is never taken for the surface, what is on top always.
-TEST(SpaceFlow, labelsTheTopRowAndNothingElse)
+// Thresholds of n, |F| and the cone: what lies two rows deep is never taken for the surface, what is on top nearly always (1.1 % are not).
+TEST(SpaceFlow, labelsTheTopRowAndNothingBelowTheSecond)
 {
     RunCase run(0.05);
     writeTank(run);
