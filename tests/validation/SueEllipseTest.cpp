@@ -1,6 +1,6 @@
 // Half an ellipse slides down 15 degrees under water and along the floor of a flume: tutorials/landslide/sueEllipse2D as it stands, at 0.02175 m, and at
-// 0.00967 m, run by the programs and measured by the functions of its Allrun. Experiment: Sue, Nokes and Walters (2006), runs SG5_IS5 and SG1_IS5, tables and source in
-// tutorials/resources. Two weights; friction is fitted to both, gapReach to each.
+// 0.00967 m, run by the programs and measured by the functions of its Allrun. Experiment: Sue, Nokes and Walters (2006), runs SG5_IS5 and SG1_IS5,
+// tables and source in tutorials/resources. Two weights; friction is fitted to both, gapReach to each.
 
 #include <array>
 #include <cmath>
