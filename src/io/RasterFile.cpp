@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "core/Errors.h"
-#include "core/OnceLog.h"
 #include "io/OutputFile.h"
 #include "io/RasterSamples.h"
 #include "io/TextWords.h"
@@ -72,13 +71,6 @@ public:
     [[nodiscard]] int line() const { return words_.line(); }
 
     void finish() const { check(words_.done(), words_.line(), words_.shown() + " behind the last height", "ncols times nrows heights"); }
-
-    /// A header with ncols and nrows exchanged announces as many heights: all would be read, into a terrain that is none.
-    void warnOfWidth(int line, int columns) const
-    {
-        warnOnce(Location{file_, line, {}}.str() + ": a row of " + std::to_string(columns) +
-                 " heights (ncols) begins within this line, though there are several lines: are ncols and nrows right?");
-    }
 
     [[noreturn]] void fail(int line, std::string const& what, std::string const& allowed) const
     {
@@ -150,21 +142,16 @@ RasterSamples readSamples(Reader& reader, Header const& header, int every)
     RasterSamples samples;
     for (int row = 0; row < header.rows; row += every) samples.south.push_back(row);
     for (int column = 0; column < header.columns; column += every) samples.east.push_back(column);
-    int const firstLine = reader.line();
-    int before = firstLine, broken = 0; // line of the height before; of the first row that begins within a line
     for (int row = 0; row < header.rows; ++row)
         for (int column = 0; column < header.columns; ++column)
         {
             int const line = reader.line();
-            if (row > 0 && column == 0 && line == before && broken == 0) broken = line;
-            before = line;
             auto const height = reader.height(header, row, column);
             if (row % every != 0 || column % every != 0) continue;
             samples.height.push_back(height.value_or(std::numeric_limits<Real>::quiet_NaN()));
             samples.line.push_back(line);
         }
     reader.finish();
-    if (broken > 0 && before > firstLine) reader.warnOfWidth(broken, header.columns);
     return samples;
 }
 
@@ -247,6 +234,7 @@ TriSurface readRaster(std::filesystem::path const& file, std::string const& name
     require(!squaresOf(samples).empty(), where, "the raster has no square of heights",
             "two rows and two columns or more with heights that are not NODATA_value");
     warnOfHoles(samples, file.string());
+    warnOfRowsWithinLines(samples, file.string());
 
     RasterSamples const covering = continued(samples, header.columns, header.rows);
     return joined(covering, squaresOf(covering), header, options, name);

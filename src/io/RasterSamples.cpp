@@ -126,6 +126,19 @@ void warnOfHoles(RasterSamples const& samples, std::string const& file)
              missing.others() + " (NODATA_value): the surface has a hole there");
 }
 
+void warnOfRowsWithinLines(RasterSamples const& samples, std::string const& file)
+{
+    if (samples.line.front() == samples.line.back()) return;
+    for (int row = 1; row < samples.rows(); ++row)
+    {
+        std::size_t const k = samples.index(row, 0);
+        if (samples.line[k] != samples.line[k - 1]) continue;
+        warnOnce(Location{file, samples.line[k], {}}.str() +
+                 ": a row (ncols heights) begins within this line, though there are several lines: are ncols and nrows right?");
+        return;
+    }
+}
+
 RasterSamples continued(RasterSamples const& samples, int columns, int rows)
 {
     RasterSamples wide;

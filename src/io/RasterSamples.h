@@ -41,6 +41,10 @@ void checkHeights(RasterSamples const& samples, RasterSource const& source);
 /// A warning with number and place where heights are missing (NODATA) all around which there are some.
 void warnOfHoles(RasterSamples const& samples, std::string const& file);
 
+/// A warning where a row begins within a line of a file of several lines: a header with ncols and nrows exchanged announces as many heights, and
+/// all would be read, into a terrain that is none.
+void warnOfRowsWithinLines(RasterSamples const& samples, std::string const& file);
+
 /// The samples and a ring of heights along the outer sides of the outermost cells, in a line with the two last ones of each row and column;
 /// as high as the last one where that before it is missing.
 /// @param columns, rows  Of cells of the file.

@@ -120,6 +120,8 @@ private:
     void writeCheckpointNow();
     /// Whether a restart after the present step goes on with the same bytes.
     [[nodiscard]] bool atSeam() const;
+    /// The state that this run began with was the end already.
+    [[nodiscard]] bool nothingRun() const { return time_->stepNumber() == startStep_ && startStep_ > 0; }
     void logRequest(std::string const& who, std::string const& what) const;
 
     CaseFolder case_;

@@ -71,7 +71,7 @@ void Scene::logStop() const
 
 void Scene::logEnd(Cost const& loop) const
 {
-    if (time_->stepNumber() == startStep_ && startStep_ > 0) return; // nothing was run
+    if (nothingRun()) return;
     if (fluid_)
     {
         info() << "Particles: " << sumOverRanks(particles_.fluid().size()) << " fluid, " << sumOverRanks(particles_.boundary().size())

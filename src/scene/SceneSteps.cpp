@@ -152,7 +152,7 @@ void Scene::writeStart()
 
 void Scene::writeEnd()
 {
-    if (time_->stepNumber() == startStep_ && startStep_ > 0)
+    if (nothingRun())
     {
         info() << "The end time was reached before: nothing to run, nothing written\n" << std::endl;
         return;

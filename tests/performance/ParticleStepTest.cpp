@@ -95,6 +95,7 @@ void expectCostInSpace(std::string const& name, std::string const& length, int w
     writeColumnInSpace(run, spacing, length);
     measure(run, name, warmUp, windows, 5, 8);
     double const taken = peakMemory() - before;
+    if (taken <= 0) GTEST_SKIP() << "the peak of memory is that of an earlier test: run this one alone";
     std::printf("    %-44s %14.6g\n", "memory [kB per fluid particle]", 1e-3 * taken / run.particles().fluid().size());
     expectBelow(name + ": memory [kB per particle]", 1e-3 * taken / run.particles().owned().size(), 1.5);
 }
